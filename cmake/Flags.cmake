@@ -1,0 +1,20 @@
+# Compiler flags that every target shares.
+
+add_library(filigree_flags INTERFACE)
+target_compile_options(filigree_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror
+    # Results must not vary with the instruction set, so no multiply-add is fused behind our back.
+    -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC 12 reports these falsely for inlined standard containers.
+    target_compile_options(filigree_flags INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
+        -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
+endif()
+if(FILIGREE_SANITIZE)
+    target_compile_options(filigree_flags INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(filigree_flags INTERFACE -fsanitize=address,undefined)
+endif()
+if(FILIGREE_FUZZ)
+    target_compile_options(filigree_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()

@@ -1,0 +1,21 @@
+// A triangle as an opacity micromap sees it.
+#pragma once
+
+#include <array>
+
+namespace filigree::mesh {
+
+struct Uv {
+    float u = 0;
+    float v = 0;
+    bool operator==(const Uv&) const = default;
+};
+
+// Texture coordinates of a triangle's three vertices in index order, and the vertices' own alpha (COLOR_0.a),
+// which multiplies the texture's and is interpolated linearly.
+struct UvTriangle {
+    std::array<Uv, 3> uv;
+    std::array<float, 3> alpha{1, 1, 1};  // in [0, 1]
+};
+
+}  // namespace filigree::mesh

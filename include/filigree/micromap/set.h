@@ -1,0 +1,55 @@
+// Sets of micromaps for the triangles of a mesh: as quadtrees, and flat as the APIs take them.
+#pragma once
+
+#include "filigree/core/result.h"
+#include "filigree/micromap/quadtree.h"
+#include "filigree/micromap/state.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace filigree::micromap {
+
+// Distinct micromaps as quadtrees and each triangle's index: one of `trees`, or special (-1..-4).
+struct TreeSet {
+    Format format = Format::fourState;
+    QuadtreeList trees;
+    std::vector<int32_t> indices;  // [triangle_count]
+};
+
+// The 8-byte record of VkMicromapTriangleKHR, D3D12_RAYTRACING_OPACITY_MICROMAP_DESC and glTF.
+struct Record {
+    uint32_t byteOffset = 0;  // into the data, any byte
+    uint16_t level = 0;       // 0..maxLevel
+    Format format = Format::fourState;
+};
+inline constexpr size_t recordBytes = 8;
+
+// How many records have a (level, format).
+struct UsageCount {
+    uint32_t count = 0;
+    uint32_t level = 0;
+    Format format = Format::fourState;
+};
+
+// Flat micromaps as the APIs and glTF take them: data, records, indices.
+struct FlatSet {
+    std::vector<uint8_t> data;
+    std::vector<Record> records;
+    std::vector<int32_t> indices;  // [triangle_count], a record or special
+};
+
+// One entry for each (level, format) that occurs, by rising level, then format.
+std::vector<UsageCount> usageCounts(const std::vector<Record>& records);
+
+// Bytes of data that flatten() would write.
+uint64_t flatDataBytes(const TreeSet& set);
+
+// The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of the
+// 32-bit offsets.
+Result<FlatSet> flatten(const TreeSet& set);
+
+// The four-state value of micro-triangle `index` of a flat record. 2-state gives transparent or opaque.
+State flatState(const FlatSet& set, const Record& record, uint64_t index);
+
+}  // namespace filigree::micromap
