@@ -1,0 +1,35 @@
+// Everything on a scene made in code: made, baked, validated, inspected.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/jobs/bake.h"
+#include "filigree/jobs/inspect.h"
+#include "filigree/jobs/validate.h"
+
+#include <filesystem>
+#include <string>
+
+namespace filigree::jobs {
+
+struct DemoOptions {
+    std::filesystem::path outputFolder;  // made when missing
+    BakeParameters parameters;
+};
+
+struct DemoSummary {
+    std::filesystem::path page;   // index.html
+    std::filesystem::path scene;  // the scene before the bake, .glb
+    std::filesystem::path baked;  // and after it
+    BakeSummary bake;
+    ValidateSummary validation;  // deep
+    InspectSummary inspection;
+};
+
+Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, ProgressSink& progress);
+
+// The machine-readable result: one JSON object with what bake, validate and inspect would give.
+std::string toJson(const DemoSummary& summary);
+
+}  // namespace filigree::jobs

@@ -1,0 +1,58 @@
+// Pictures of a scene's micromaps: states over each masked texture, histograms, one HTML page.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/jobs/bake.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace filigree::jobs {
+
+struct InspectOptions {
+    std::filesystem::path input;         // .glb or .gltf, with or without micromaps
+    std::filesystem::path outputFolder;  // made when missing; existing files of the same names are replaced
+    BakeParameters parameters;           // how to bake in memory when the file has no micromaps
+};
+
+// One masked texture and the micromaps over it.
+struct InspectedTexture {
+    std::string name;
+    std::filesystem::path picture;  // PNG, relative to the output folder
+    uint32_t width = 0;             // texels
+    uint32_t height = 0;
+    uint64_t triangles = 0;
+    uint64_t micromaps = 0;
+    std::array<uint64_t, 4> states{};      // micro-triangles by micromap::State, special indices included
+    std::map<unsigned, uint64_t> levels;   // micromaps by level
+    std::map<uint64_t, uint64_t> sharing;  // micromaps by the number of triangles that share each
+};
+
+struct InspectSummary {
+    std::filesystem::path page;                   // index.html
+    std::vector<std::filesystem::path> pictures;  // every PNG, relative to the output folder
+    bool bakedInMemory = false;
+    std::vector<InspectedTexture> textures;
+    std::vector<std::string> notes;
+};
+
+// Reads, bakes in memory where the file has no micromaps, draws, and writes the page and its pictures.
+Result<InspectSummary> inspect(const InspectOptions& options, const Executor& executor,
+                               ProgressSink& progress);
+
+// The same for a scene in memory that has micromaps; options.input and parameters are not used. The scene
+// demo and bake share this.
+Result<InspectSummary> inspectScene(const scene::Scene& scene, const std::string& title,
+                                    const std::filesystem::path& outputFolder, const Executor& executor,
+                                    ProgressSink& progress);
+
+// The machine-readable result: one JSON object.
+std::string toJson(const InspectSummary& summary);
+
+}  // namespace filigree::jobs
