@@ -10,8 +10,7 @@ namespace {
 
 class SerialExecutor final : public Executor {
   public:
-    void parallelFor(size_t count, size_t,
-                     const std::function<void(size_t, size_t)>& body) const override {
+    void parallelFor(size_t count, size_t, const std::function<void(size_t, size_t)>& body) const override {
         if (count > 0) body(0, count);
     }
     [[nodiscard]] unsigned concurrency() const override { return 1; }

@@ -49,7 +49,8 @@ Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path, uint64_
     if (file.get() < 0) return fileError(path, "cannot open");
     struct stat info {};
     if (::fstat(file.get(), &info) != 0) return fileError(path, "cannot read");
-    if (S_ISDIR(info.st_mode)) return Error{ErrorKind::file, path.string() + ": is a folder, expected a file"};
+    if (S_ISDIR(info.st_mode))
+        return Error{ErrorKind::file, path.string() + ": is a folder, expected a file"};
     if (info.st_size > 0 && static_cast<uint64_t>(info.st_size) > maxBytes) {
         return Error{ErrorKind::limit, fmt::format("{}: {} bytes, at most {} can be read", path.string(),
                                                    info.st_size, maxBytes)};
@@ -64,8 +65,8 @@ Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path, uint64_
         if (got == 0) break;
         filled += static_cast<size_t>(got);
         if (filled > maxBytes) {
-            return Error{ErrorKind::limit,
-                         fmt::format("{}: more than {} bytes, the most that can be read", path.string(), maxBytes)};
+            return Error{ErrorKind::limit, fmt::format("{}: more than {} bytes, the most that can be read",
+                                                       path.string(), maxBytes)};
         }
     }
     bytes.resize(filled);

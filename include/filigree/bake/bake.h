@@ -17,41 +17,44 @@ namespace filigree::bake {
 
 struct Settings {
     micromap::Format format = micromap::Format::fourState;
-    // The level of every micromap, 0..12. Without it each triangle gets its highest useful level (Waldemarson and
-    // Doggett 2024, eq. 1): ceil(log2(longest edge in texels)), at most maxLevel.
+    // The level of every micromap, 0..12. Without it each triangle gets its highest useful level (Waldemarson
+    // and Doggett 2024, eq. 1): ceil(log2(longest edge in texels)), at most maxLevel.
     std::optional<unsigned> level;
     unsigned maxLevel = 8;  // 0..12, used without `level`
     // Levels per triangle, [triangle_count], 0..12; overrides `level` where not empty.
     std::span<const uint8_t> levels;
-    // Lets a triangle's vertex order rotate (winding kept) where it then shares a micromap; see Baked::rotations.
+    // Lets a triangle's vertex order rotate (winding kept) where it then shares a micromap; see
+    // Baked::rotations.
     bool rotate = false;
 };
 
 // What a bake did, for reports.
 struct Statistics {
     uint64_t triangles = 0;
-    uint64_t distinctTriangles = 0;     // after equal UV triangles are merged
-    uint64_t nonFiniteTriangles = 0;    // NaN, infinite or too large UVs: unknown-opaque
-    uint64_t microTriangles = 0;        // of all triangles, shared or not
-    micromap::StateCounts states;       // of all triangles, shared or not
+    uint64_t distinctTriangles = 0;                          // after equal UV triangles are merged
+    uint64_t nonFiniteTriangles = 0;                         // NaN, infinite or too large UVs: unknown-opaque
+    uint64_t microTriangles = 0;                             // of all triangles, shared or not
+    micromap::StateCounts states;                            // of all triangles, shared or not
     uint64_t microTrianglesAt[micromap::maxLevel + 1] = {};  // of all triangles, by level
 };
 
 struct Baked {
     micromap::TreeSet set;
-    std::vector<uint8_t> levels;     // [triangle_count], the level each triangle was baked at, special or not
-    std::vector<uint8_t> rotations;  // [triangle_count] with Settings::rotate: new vertex k is old (k + r) % 3
+    std::vector<uint8_t> levels;  // [triangle_count], the level each triangle was baked at, special or not
+    std::vector<uint8_t>
+        rotations;  // [triangle_count] with Settings::rotate: new vertex k is old (k + r) % 3
     Statistics statistics;
 };
 
-// Bakes `triangles` over `texture` under `test`. A state is known only where it is certain (AlphaTest). The result
-// does not depend on the executor or the instruction set. Fails on settings out of range and when cancelled.
+// Bakes `triangles` over `texture` under `test`. A state is known only where it is certain (AlphaTest). The
+// result does not depend on the executor or the instruction set. Fails on settings out of range and when
+// cancelled.
 Result<Baked> bake(std::span<const mesh::UvTriangle> triangles, const image::AlphaTexture& texture,
                    const image::AlphaTest& test, const Settings& settings, const Executor& executor,
                    ProgressSink& progress);
 
-// The highest useful level of a triangle on a texture of width x height texels, clamped to `maxLevel`. 0 when a UV
-// is not finite.
+// The highest useful level of a triangle on a texture of width x height texels, clamped to `maxLevel`. 0 when
+// a UV is not finite.
 unsigned usefulLevel(const mesh::UvTriangle& triangle, uint32_t width, uint32_t height, unsigned maxLevel);
 
 }  // namespace filigree::bake

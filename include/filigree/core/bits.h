@@ -30,7 +30,8 @@ class BitWriter {
     // Appends all of `other`.
     void append(const BitWriter& other) {
         for (size_t at = 0; at < other.size_; at += 64) {
-            append(other.words_[at / 64], static_cast<unsigned>(other.size_ - at < 64 ? other.size_ - at : 64));
+            append(other.words_[at / 64],
+                   static_cast<unsigned>(other.size_ - at < 64 ? other.size_ - at : 64));
         }
     }
 

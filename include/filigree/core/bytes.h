@@ -12,7 +12,8 @@ template <class T>
 T loadLe(const uint8_t* from) {
     static_assert(std::is_unsigned_v<T>);
     T value = 0;
-    for (size_t i = 0; i < sizeof(T); ++i) value = static_cast<T>(value | (static_cast<T>(from[i]) << (8 * i)));
+    for (size_t i = 0; i < sizeof(T); ++i)
+        value = static_cast<T>(value | (static_cast<T>(from[i]) << (8 * i)));
     return value;
 }
 

@@ -8,8 +8,8 @@
 
 namespace filigree {
 
-// Restricts all SIMD code of this process to one target: "scalar", "sse4", "avx2", "avx3" (AVX-512), or "best".
-// Results do not depend on it. Fails on a name it does not know and on a target this processor lacks.
+// Restricts all SIMD code of this process to one target: "scalar", "sse4", "avx2", "avx3" (AVX-512), or
+// "best". Results do not depend on it. Fails on a name it does not know and on a target this processor lacks.
 Status forceTarget(std::string_view name);
 
 // Applies the environment variable FILIGREE_TARGET when it is set. The command and the tests call this first.

@@ -16,8 +16,8 @@ inline constexpr uint32_t maxImageSide = 65536;
 // One alpha channel, row 0 at v = 0. A texel t stands for the alpha t / 65535; 8-bit values are stored times
 // 257, which is the same number exactly.
 struct AlphaImage {
-    uint32_t width = 0;           // texels, 1..maxImageSide
-    uint32_t height = 0;          // texels, 1..maxImageSide
+    uint32_t width = 0;            // texels, 1..maxImageSide
+    uint32_t height = 0;           // texels, 1..maxImageSide
     std::vector<uint16_t> texels;  // [width * height], row by row
     // How many grey steps the source had: 255 or 65535. An alpha t is then a multiple of 1/steps.
     uint32_t steps = 65535;
@@ -31,15 +31,16 @@ AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const u
 // What a sampler does with texel coordinates outside the image (glTF sampler.wrapS, wrapT).
 enum class Wrap : uint8_t { repeat, mirroredRepeat, clampToEdge };
 
-// Which filters a shader may apply. `both` when a sampler's magnification and minification filters differ: then
-// a state has to be right under either.
+// Which filters a shader may apply. `both` when a sampler's magnification and minification filters differ:
+// then a state has to be right under either.
 enum class Filter : uint8_t { linear, nearest, both };
 
-// The texel index that `coordinate` reads on an axis of `size` texels, as glTF and Vulkan define the wrap modes.
+// The texel index that `coordinate` reads on an axis of `size` texels, as glTF and Vulkan define the wrap
+// modes.
 uint32_t wrapTexel(int64_t coordinate, uint32_t size, Wrap wrap);
 
-// An alpha image with its sampler. Texture coordinates (u, v) address the point (u * width, v * height) in texel
-// space; texel (x, y) has its centre at (x + 0.5, y + 0.5).
+// An alpha image with its sampler. Texture coordinates (u, v) address the point (u * width, v * height) in
+// texel space; texel (x, y) has its centre at (x + 0.5, y + 0.5).
 struct AlphaTexture {
     AlphaImage image;
     Wrap wrapU = Wrap::repeat;
@@ -53,9 +54,9 @@ double sampleBilinear(const AlphaTexture& texture, double x, double y);
 // Alpha of the texel that holds (x, y), in [0, 1].
 double sampleNearest(const AlphaTexture& texture, double x, double y);
 
-// The next coarser mip level by a box filter: max(1, size / 2) texels an axis. An axis of odd size 2n + 1 uses
-// the three-tap weights (n - i, n, i + 1) / (2n + 1) for texel i, so that every source texel has equal influence
-// (docs/spec/bake.md). Values are rounded to the nearest 1/65535.
+// The next coarser mip level by a box filter: max(1, size / 2) texels an axis. An axis of odd size 2n + 1
+// uses the three-tap weights (n - i, n, i + 1) / (2n + 1) for texel i, so that every source texel has equal
+// influence (docs/spec/bake.md). Values are rounded to the nearest 1/65535.
 AlphaImage halve(const AlphaImage& image);
 
 // How many mip levels lie below `image`: floor(log2(max(width, height))).
@@ -70,10 +71,11 @@ enum class AlphaMode : uint8_t {
 // What "known" means for a micromap: the parameters that a bake is made with and checked against.
 struct AlphaTest {
     AlphaMode mode = AlphaMode::mask;
-    double cutoff = 0.5;   // >= 0; ignored for blend; above 1 everything is transparent
-    double factor = 1.0;   // baseColorFactor.a, in [0, 1]; multiplies the texture's alpha
-    unsigned mips = 0;     // a known state also holds at each of this many coarser mip levels
-    double guard = 1.0 / 256;  // texels of each level: a micro-triangle is widened by the square [-guard, guard]^2
+    double cutoff = 0.5;  // >= 0; ignored for blend; above 1 everything is transparent
+    double factor = 1.0;  // baseColorFactor.a, in [0, 1]; multiplies the texture's alpha
+    unsigned mips = 0;    // a known state also holds at each of this many coarser mip levels
+    double guard =
+        1.0 / 256;  // texels of each level: a micro-triangle is widened by the square [-guard, guard]^2
 };
 
 }  // namespace filigree::image

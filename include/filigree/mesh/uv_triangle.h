@@ -18,4 +18,7 @@ struct UvTriangle {
     std::array<float, 3> alpha{1, 1, 1};  // in [0, 1]
 };
 
+// True when no texture coordinate is NaN or infinite.
+bool isFinite(const UvTriangle& triangle);
+
 }  // namespace filigree::mesh

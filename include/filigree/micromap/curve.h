@@ -6,16 +6,16 @@
 
 namespace filigree::micromap {
 
-// A point of the lattice that a level lays over a triangle: vertex0 + i/n (vertex1 - vertex0) + j/n (vertex2 -
-// vertex0) with n = 2^level and 0 <= i + j <= n.
+// A point of the lattice that a level lays over a triangle: vertex0 + i/n (vertex1 - vertex0) + j/n (vertex2
+// - vertex0) with n = 2^level and 0 <= i + j <= n.
 struct LatticePoint {
     uint32_t i = 0;
     uint32_t j = 0;
     bool operator==(const LatticePoint&) const = default;
 };
 
-// One micro-triangle by its place in the lattice. Upright ones have the corners (i, j), (i+1, j), (i, j+1); the
-// others, `flipped`, have (i+1, j+1), (i, j+1), (i+1, j).
+// One micro-triangle by its place in the lattice. Upright ones have the corners (i, j), (i+1, j), (i, j+1);
+// the others, `flipped`, have (i+1, j+1), (i, j+1), (i+1, j).
 struct LatticeTriangle {
     uint32_t i = 0;
     uint32_t j = 0;
@@ -34,23 +34,28 @@ uint32_t curveIndex(LatticeTriangle triangle, unsigned level);
 // The micro-triangle at curve index `index` < 4^level.
 LatticeTriangle latticeTriangle(uint32_t index, unsigned level);
 
-// Curve index of the micro-triangle that holds the point with barycentrics (u, v), the weights of vertices 1 and
-// 2; coordinates outside the triangle are clamped. The same number as the reference function of
+// Curve index of the micro-triangle that holds the point with barycentrics (u, v), the weights of vertices 1
+// and 2; coordinates outside the triangle are clamped. The same number as the reference function of
 // VK_KHR_opacity_micromap in single precision, ties included. level 0..15.
 uint32_t barycentricsToIndex(float u, float v, unsigned level);
 
-// The corners of child 0..3 of a triangle (a, b, c), in the order that makes the child's own curve run on: child 0
-// lies at a, 1 is the middle, 2 lies at b, 3 at c. `midpoint(p, q)` gives the point halfway.
+// The corners of child 0..3 of a triangle (a, b, c), in the order that makes the child's own curve run on:
+// child 0 lies at a, 1 is the middle, 2 lies at b, 3 at c. `midpoint(p, q)` gives the point halfway.
 template <class Point, class Midpoint>
-constexpr std::array<Point, 3> childCorners(const std::array<Point, 3>& p, unsigned child, Midpoint midpoint) {
+constexpr std::array<Point, 3> childCorners(const std::array<Point, 3>& p, unsigned child,
+                                            Midpoint midpoint) {
     const Point ab = midpoint(p[0], p[1]);
     const Point bc = midpoint(p[1], p[2]);
     const Point ca = midpoint(p[2], p[0]);
     switch (child) {
-        case 0: return {p[0], ab, ca};
-        case 1: return {ca, bc, ab};
-        case 2: return {ab, p[1], bc};
-        default: return {bc, ca, p[2]};
+        case 0:
+            return {p[0], ab, ca};
+        case 1:
+            return {ca, bc, ab};
+        case 2:
+            return {ab, p[1], bc};
+        default:
+            return {bc, ca, p[2]};
     }
 }
 

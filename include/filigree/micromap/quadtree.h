@@ -1,10 +1,11 @@
-// Micromaps as quadtrees: what the baker makes and every encoder takes. A uniform part of any size is one leaf, so
-// a level-12 micromap costs what its outline costs.
+// Micromaps as quadtrees: what the baker makes and every encoder takes. A uniform part of any size is one
+// leaf, so a level-12 micromap costs what its outline costs.
 #pragma once
 
 #include "filigree/core/bits.h"
 #include "filigree/micromap/state.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,10 +13,10 @@
 
 namespace filigree::micromap {
 
-// A bit stream, depth first, child 0 first. A node above the finest level is bit 1 and its four children, or bit 0
-// and a 2-bit state for the whole of it; a node at the finest level is the 2-bit state alone. Canonical: four
-// children that are leaves of one state never stand; they are their parent's leaf. So equal micromaps of one level
-// have equal streams.
+// A bit stream, depth first, child 0 first. A node above the finest level is bit 1 and its four children, or
+// bit 0 and a 2-bit state for the whole of it; a node at the finest level is the 2-bit state alone.
+// Canonical: four children that are leaves of one state never stand; they are their parent's leaf. So equal
+// micromaps of one level have equal streams.
 struct QuadtreeView {
     std::span<const uint64_t> words;  // unused high bits of the last word are zero
     size_t bits = 0;
@@ -34,8 +35,8 @@ bool equal(const QuadtreeView& a, const QuadtreeView& b);
 // A hash of level and states, the same on every machine.
 uint64_t hash(const QuadtreeView& tree);
 
-// Calls leaf(first, depth, state) for each leaf in curve order: it covers the 4^(level - depth) micro-triangles from
-// curve index `first` on.
+// Calls leaf(first, depth, state) for each leaf in curve order: it covers the 4^(level - depth)
+// micro-triangles from curve index `first` on.
 template <class Leaf>
 void forEachLeaf(const QuadtreeView& tree, Leaf&& leaf) {
     BitReader reader(tree.words, tree.bits);
@@ -54,20 +55,23 @@ void forEachLeaf(const QuadtreeView& tree, Leaf&& leaf) {
     }
 }
 
-// Writes the flat micromap: flatBytes(level, format) bytes at `to`, one state after another in curve order, least
-// significant bits first, by filling runs. 2-state keeps bit 0 of each state.
+// Writes the flat micromap: flatBytes(level, format) bytes at `to`, one state after another in curve order,
+// least significant bits first, by filling runs. 2-state keeps bit 0 of each state.
 void writeFlat(const QuadtreeView& tree, Format format, std::span<uint8_t> to);
 
 // The quadtree of a flat micromap of flatBytes(level, format) bytes. Spare bits of the last byte are ignored.
 class Quadtree;
 Quadtree quadtreeFromFlat(std::span<const uint8_t> flat, unsigned level, Format format);
 
-// The same micromap at a coarser level, 0 <= level <= tree.level: a micro-triangle is known where all it covers is
-// known alike. The opaque side of an unknown one is that of the greater part, opaque on a tie.
+// The same micromap at a coarser level, 0 <= level <= tree.level: a micro-triangle is known where all it
+// covers is known alike. The opaque side of an unknown one is that of the greater part, opaque on a tie.
 Quadtree coarsened(const QuadtreeView& tree, unsigned level);
 
-// The micromap of the same triangle with its vertices in the order (1, 2, 0).
-Quadtree rotated(const QuadtreeView& tree);
+// An order of a triangle's vertices: new vertex k is old vertex order[k].
+using VertexOrder = std::array<uint8_t, 3>;
+
+// The micromap of the same triangle with its vertices in another order.
+Quadtree permuted(const QuadtreeView& tree, const VertexOrder& order);
 
 // How many micro-triangles have each state, by State.
 struct StateCounts {

@@ -45,8 +45,8 @@ std::vector<UsageCount> usageCounts(const std::vector<Record>& records);
 // Bytes of data that flatten() would write.
 uint64_t flatDataBytes(const TreeSet& set);
 
-// The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of the
-// 32-bit offsets.
+// The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of
+// the 32-bit offsets.
 Result<FlatSet> flatten(const TreeSet& set);
 
 // The four-state value of micro-triangle `index` of a flat record. 2-state gives transparent or opaque.

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,11 +36,12 @@ struct Material {
 
 // A list of triangles with one material. Only glTF primitives of mode 4 (triangles) become one.
 struct Primitive {
-    unsigned meshIndex = 0;       // into glTF meshes
-    unsigned primitiveIndex = 0;  // into that mesh's primitives
-    int material = -1;            // into Scene::materials; -1 for none
+    unsigned meshIndex = 0;                       // into glTF meshes
+    unsigned primitiveIndex = 0;                  // into that mesh's primitives
+    int material = -1;                            // into Scene::materials; -1 for none
     std::vector<std::array<float, 3>> positions;  // [vertex_count]
-    std::vector<mesh::Uv> uvs;      // [vertex_count], texture transform applied; empty without texture coordinates
+    std::vector<mesh::Uv>
+        uvs;  // [vertex_count], texture transform applied; empty without texture coordinates
     std::vector<float> alphas;      // [vertex_count], COLOR_0 alpha; empty when absent or without alpha
     std::vector<uint32_t> indices;  // [3 * triangle_count], always present, each below vertex_count
     int micromaps = -1;             // into Scene::micromaps; -1 for none
@@ -76,11 +76,12 @@ struct Camera {
     float verticalFov = 0.8f;           // radians
 };
 
-// Images are decoded when first asked for and may be shared; a scene's images keep what the file says of them.
+// Images are decoded when first asked for and may be shared; a scene's images keep what the file says of
+// them.
 struct Image {
-    std::string name;  // glTF name, or "image N"
-    std::optional<image::AlphaImage> alpha;   // decoded where a MASK or BLEND material uses it
-    std::optional<ColourImage> colour;        // decoded on request
+    std::string name;                        // glTF name, or "image N"
+    std::optional<image::AlphaImage> alpha;  // decoded where a MASK or BLEND material uses it
+    std::optional<ColourImage> colour;       // decoded on request
 };
 
 // The micromaps of a file, flat, with the parameters that were recorded when they were baked.
@@ -99,5 +100,9 @@ struct Scene {
     std::vector<Micromaps> micromaps;
     std::vector<std::string> notes;  // what was passed over, one line each, for the user
 };
+
+// World area of each triangle of a primitive, summed over all instances of its mesh, [triangle_count], in
+// square world units. Triangles that are not finite count as 0.
+std::vector<double> worldAreas(const Scene& scene, const Primitive& primitive);
 
 }  // namespace filigree::scene

@@ -1,0 +1,56 @@
+#include "filigree/micromap/set.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace filigree::micromap {
+
+std::vector<UsageCount> usageCounts(const std::vector<Record>& records) {
+    std::map<std::pair<uint32_t, Format>, uint32_t> counts;
+    for (const Record& record : records) ++counts[{record.level, record.format}];
+    std::vector<UsageCount> usage;
+    for (const auto& [key, count] : counts) usage.push_back({count, key.first, key.second});
+    return usage;
+}
+
+uint64_t flatDataBytes(const TreeSet& set) {
+    uint64_t bytes = 0;
+    for (size_t k = 0; k < set.trees.size(); ++k) bytes += flatBytes(set.trees[k].level, set.format);
+    return bytes;
+}
+
+Result<FlatSet> flatten(const TreeSet& set) {
+    const uint64_t bytes = flatDataBytes(set);
+    if (bytes > UINT32_MAX) {
+        return Error{
+            ErrorKind::limit,
+            fmt::format("the micromaps take {} bytes flat, the formats reach {}: choose a lower level or a "
+                        "budget",
+                        bytes, UINT32_MAX)};
+    }
+    FlatSet flat;
+    flat.data.resize(bytes);
+    flat.records.reserve(set.trees.size());
+    flat.indices = set.indices;
+    uint32_t offset = 0;
+    for (size_t k = 0; k < set.trees.size(); ++k) {
+        const QuadtreeView tree = set.trees[k];
+        const auto size = static_cast<uint32_t>(flatBytes(tree.level, set.format));
+        writeFlat(tree, set.format, std::span(flat.data).subspan(offset, size));
+        flat.records.push_back({offset, static_cast<uint16_t>(tree.level), set.format});
+        offset += size;
+    }
+    return flat;
+}
+
+State flatState(const FlatSet& set, const Record& record, uint64_t index) {
+    const unsigned bits = bitsPerState(record.format);
+    const uint64_t bit = index * bits;
+    assert(index < microTriangleCount(record.level) && record.byteOffset + bit / 8 < set.data.size());
+    return static_cast<State>((set.data[record.byteOffset + bit / 8] >> (bit % 8)) & ((1u << bits) - 1));
+}
+
+}  // namespace filigree::micromap

@@ -1,0 +1,74 @@
+#include "filigree/micromap/curve.h"
+
+#include "shared_data.h"
+
+#include <bit>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+namespace filigree::micromap {
+namespace {
+
+TEST(Curve, IndexAndLatticeAreInverse) {
+    for (unsigned level = 0; level <= 8; ++level) {
+        for (uint32_t index = 0; index < (1u << (2 * level)); ++index) {
+            const LatticeTriangle t = latticeTriangle(index, level);
+            ASSERT_EQ(curveIndex(t, level), index) << "level " << level;
+        }
+    }
+}
+
+TEST(Curve, NeighboursOnTheCurveShareACorner) {
+    for (unsigned level = 1; level <= 7; ++level) {
+        for (uint32_t index = 0; index + 1 < (1u << (2 * level)); ++index) {
+            const auto a = corners(latticeTriangle(index, level));
+            const auto b = corners(latticeTriangle(index + 1, level));
+            bool shared = false;
+            for (const LatticePoint p : a) {
+                for (const LatticePoint q : b) shared |= p == q;
+            }
+            ASSERT_TRUE(shared) << "level " << level << " index " << index;
+        }
+    }
+}
+
+TEST(Curve, PointInsideAMicroTriangleFindsIt) {
+    for (unsigned level = 0; level <= 6; ++level) {
+        const float n = static_cast<float>(1u << level);
+        for (uint32_t index = 0; index < (1u << (2 * level)); ++index) {
+            float u = 0;
+            float v = 0;
+            for (const LatticePoint p : corners(latticeTriangle(index, level))) {
+                u += static_cast<float>(p.i) / (3 * n);
+                v += static_cast<float>(p.j) / (3 * n);
+            }
+            ASSERT_EQ(barycentricsToIndex(u, v, level), index);
+        }
+    }
+}
+
+TEST(Curve, AgreesWithTheReferenceVectors) {
+    FILIGREE_NEEDS_SHARED_DATA();
+    std::ifstream file(tests::sharedData() / "golden" / "barycentric_to_index.csv");
+    ASSERT_TRUE(file);
+    std::string line;
+    std::getline(file, line);
+    size_t rows = 0;
+    for (; std::getline(file, line); ++rows) {
+        std::istringstream fields(line);
+        unsigned level = 0;
+        uint32_t u = 0;
+        uint32_t v = 0;
+        uint32_t index = 0;
+        char comma = 0;
+        fields >> level >> comma >> std::hex >> u >> comma >> v >> comma >> std::dec >> index;
+        ASSERT_EQ(barycentricsToIndex(std::bit_cast<float>(u), std::bit_cast<float>(v), level), index)
+            << line;
+    }
+    EXPECT_GT(rows, 1000u);
+}
+
+}  // namespace
+}  // namespace filigree::micromap
