@@ -1,0 +1,58 @@
+// Bar charts, histograms and line charts.
+#pragma once
+
+#include "filigree/report/drawing.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace filigree::report {
+
+struct Axis {
+    std::string label;
+    std::string unit;    // shown after the label; empty for none
+    bool log = false;    // logarithmic; values that are not positive are then left out
+    bool share = false;  // values are shares of one and show as percent
+};
+
+// A colour for the series `index` of a chart: eight that stay apart for colour-blind readers, on light and
+// dark.
+Colour seriesColour(size_t index);
+
+// Bars in groups: one group a category, one bar a series, beside or on top of each other. A histogram is a
+// bar chart of one series whose categories are its bins.
+struct BarChart {
+    struct Series {
+        std::string name;            // in the legend; a lone series without a name has no legend
+        std::vector<double> values;  // [category_count]; not finite counts as 0
+        Colour colour = seriesColour(0);
+        std::vector<Colour> colours{};  // [category_count], one a bar; empty for `colour` throughout
+    };
+    std::string title;
+    Axis x;
+    Axis y;
+    std::vector<std::string> categories;
+    std::vector<Series> series;
+    bool stacked = false;  // needs a linear y axis
+    bool labels = true;    // the value above each bar where there is room; stacked bars have none
+};
+
+struct LineChart {
+    struct Series {
+        std::string name;
+        std::vector<std::pair<double, double>> points;  // (x, y) by rising x; points not finite are left out
+        Colour colour = seriesColour(0);
+        bool dashed = false;
+    };
+    std::string title;
+    Axis x;
+    Axis y;
+    std::vector<Series> series;
+};
+
+// The chart as a drawing `width` units wide. A chart without data says "no data".
+Drawing layOut(const BarChart& chart, double width = 640, double height = 360);
+Drawing layOut(const LineChart& chart, double width = 640, double height = 360);
+
+}  // namespace filigree::report

@@ -1,0 +1,98 @@
+#include "filigree/report/page.h"
+
+#include "report/page_assets.h"
+#include "report/text.h"
+
+#include <fmt/format.h>
+
+namespace filigree::report {
+
+namespace {
+
+std::string commandHtml(const std::string& command) {
+    return command.empty() ? "" : fmt::format("<code>{}</code>", escapeHtml(command));
+}
+
+std::string contentHtml(const Drawing& drawing) {
+    return "<div class=\"scroll\">" + toSvg(drawing) + "</div>";
+}
+
+std::string contentHtml(const Picture& p) {
+    const std::string url = relativeUrl(p.file);
+    if (p.png.empty()) return fmt::format("<p><a href=\"{}\">{}</a></p>", url, escapeHtml(p.file));
+    const std::string image =
+        fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\" width=\"{}\" height=\"{}\">",
+                    base64(p.png), escapeHtml(p.alt), p.width, p.height);
+    return p.file.empty() ? image : fmt::format("<a href=\"{}\">{}</a>", url, image);
+}
+
+std::string blockHtml(const Figure& figure) {
+    return fmt::format("<figure>{}<figcaption>{}</figcaption>{}</figure>\n",
+                       std::visit([](const auto& content) { return contentHtml(content); }, figure.content),
+                       escapeHtml(figure.caption), commandHtml(figure.command));
+}
+
+std::string blockHtml(const FigureRow& row) {
+    std::string out = "<div class=\"row\">\n";
+    for (const Figure& figure : row.figures) out += blockHtml(figure);
+    return out + "</div>\n";
+}
+
+std::string blockHtml(const Paragraph& paragraph) {
+    return fmt::format("<p>{}</p>\n", escapeHtml(paragraph.text));
+}
+
+std::string blockHtml(const Table& table) {
+    return toHtml(table);
+}
+
+std::string blockHtml(const Legend& legend) {
+    std::string out = "<ul class=\"legend\">\n";
+    for (const Swatch& s : legend.swatches) {
+        out += fmt::format("<li><i style=\"background:#{:02x}{:02x}{:02x}\"></i>{}</li>\n", s.colour.r,
+                           s.colour.g, s.colour.b, escapeHtml(s.label));
+    }
+    return out + "</ul>\n";
+}
+
+std::string blockHtml(const Links& links) {
+    std::string out = "<ul>\n";
+    for (const auto& link : links.links) {
+        out += fmt::format("<li><a href=\"{}\">{}</a>: {}</li>\n", relativeUrl(link.file),
+                           escapeHtml(link.file), escapeHtml(link.text));
+    }
+    return out + "</ul>\n";
+}
+
+std::string contentsHtml(const Page& page) {
+    if (page.sections.size() < 3) return "";
+    std::string out = "<nav><ul>\n";
+    for (size_t i = 0; i < page.sections.size(); ++i) {
+        out += fmt::format("<li><a href=\"#s{}\">{}</a></li>\n", i + 1, escapeHtml(page.sections[i].title));
+    }
+    return out + "</ul></nav>\n";
+}
+
+std::string sectionHtml(const Section& section, size_t number) {
+    std::string out = fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", number, escapeHtml(section.title));
+    for (const Block& block : section.blocks) {
+        out += std::visit([](const auto& b) { return blockHtml(b); }, block);
+    }
+    return out + "</section>\n";
+}
+
+}  // namespace
+
+std::string toHtml(const Page& page) {
+    std::string out = fmt::format(
+        "<!DOCTYPE html>\n<html "
+        "lang=\"en\">\n<head>\n{}<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n",
+        pageHead, escapeHtml(page.title), pageStyle);
+    out += fmt::format("<h1>{}</h1>\n", escapeHtml(page.title));
+    if (!page.lead.empty()) out += fmt::format("<p class=\"lead\">{}</p>\n", escapeHtml(page.lead));
+    out += contentsHtml(page);
+    for (size_t i = 0; i < page.sections.size(); ++i) out += sectionHtml(page.sections[i], i + 1);
+    return out + fmt::format("</main>\n<script>{}</script>\n</body>\n</html>\n", pageScript);
+}
+
+}  // namespace filigree::report

@@ -1,0 +1,113 @@
+#include "report/plot.h"
+
+#include "filigree/report/number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace filigree::report {
+
+namespace {
+
+constexpr double titleSize = 15;
+constexpr double textSize = 12;
+
+std::string labelOf(const Axis& axis) {
+    return axis.unit.empty() ? axis.label : axis.label + " (" + axis.unit + ")";
+}
+
+// `text` cut to `room` units with an ellipsis, without breaking a UTF-8 character.
+std::string shortened(std::string text, double room) {
+    if (textWidth(text, textSize) <= room) return text;
+    while (!text.empty() && textWidth(text + "...", textSize) > room) {
+        while (!text.empty() && (static_cast<uint8_t>(text.back()) & 0xC0) == 0x80) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "...";
+}
+
+}  // namespace
+
+std::string axisText(const Axis& axis, double value) {
+    if (!axis.share) return formatCompact(value);
+    return formatCompact(value * 100) + " %";
+}
+
+Plot::Plot(double width, double height, const std::string& title) : right(width - 16), bottom(height - 12) {
+    drawing.width = width;
+    drawing.height = height;
+    drawing.title = title;
+    if (title.empty()) return;
+    drawing.shapes.push_back(Text{left, top + 6, shortened(title, (right - left) * textSize / titleSize),
+                                  titleSize, Anchor::start, Ink::text, true, false});
+    top += 20;
+}
+
+void Plot::addLegend(const std::vector<LegendEntry>& entries) {
+    if (entries.empty()) return;
+    double x = left;
+    for (const LegendEntry& e : entries) {
+        const double width = 18 + textWidth(e.name, textSize) + 16;
+        if (x > left && x + width > right) {
+            x = left;
+            top += 18;
+        }
+        if (e.line) {
+            drawing.shapes.push_back(Polyline{{{x, top + 2}, {x + 14, top + 2}}, e.colour, 3, false});
+        } else {
+            drawing.shapes.push_back(Rect{x + 1, top - 4, 12, 12, e.colour, ""});
+        }
+        drawing.shapes.push_back(Text{x + 18, top + 6, shortened(e.name, right - x - 18), textSize,
+                                      Anchor::start, Ink::text, false, false});
+        x += width;
+    }
+    top += 20;
+}
+
+void Plot::addYAxis(const Axis& axis, const Scale& scale, const Axis& xAxis) {
+    double widest = 0;
+    for (const double tick : scale.ticks())
+        widest = std::max(widest, textWidth(axisText(axis, tick), textSize));
+    const bool labelled = !labelOf(axis).empty();
+    top += 8;
+    bottom -= 20 + (labelOf(xAxis).empty() ? 0 : 20);
+    left += widest + 8 + (labelled ? 20 : 0);
+    for (const double tick : scale.ticks()) {
+        const double y = yOf(scale.at(tick));
+        drawing.shapes.push_back(Line{left, y, right, y, Ink::grid, 1});
+        drawing.shapes.push_back(
+            Text{left - 8, y + 4, axisText(axis, tick), textSize, Anchor::end, Ink::faint, false, false});
+    }
+    drawing.shapes.push_back(Line{left, bottom, right, bottom, Ink::faint, 1});
+    if (labelled) {
+        drawing.shapes.push_back(
+            Text{26, (top + bottom) / 2, labelOf(axis), textSize, Anchor::middle, Ink::text, false, true});
+    }
+    if (!labelOf(xAxis).empty()) {
+        drawing.shapes.push_back(Text{(left + right) / 2, bottom + 38, labelOf(xAxis), textSize,
+                                      Anchor::middle, Ink::text, false, false});
+    }
+}
+
+// Long names are cut where a slot has room for some of them; short ones (bins) are thinned out.
+void Plot::addXTicks(const std::vector<TickLabel>& ticks, double room) {
+    double widest = 0;
+    for (const TickLabel& tick : ticks) widest = std::max(widest, textWidth(tick.text, textSize) + 6);
+    const bool cut = room >= 60;
+    const size_t every = cut || room <= 0 ? 1 : static_cast<size_t>(std::max(1.0, std::ceil(widest / room)));
+    for (size_t i = 0; i < ticks.size(); i += every) {
+        const std::string text = cut ? shortened(ticks[i].text, room - 6) : ticks[i].text;
+        const double half = textWidth(text, textSize) / 2;
+        const double x = std::min(xOf(ticks[i].at), drawing.width - half - 2);
+        drawing.shapes.push_back(
+            Text{x, bottom + 18, text, textSize, Anchor::middle, Ink::faint, false, false});
+    }
+}
+
+void Plot::addNoData() {
+    drawing.shapes.push_back(Text{drawing.width / 2, drawing.height / 2, "no data", textSize, Anchor::middle,
+                                  Ink::faint, false, false});
+}
+
+}  // namespace filigree::report

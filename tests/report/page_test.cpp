@@ -1,0 +1,77 @@
+#include "filigree/report/page.h"
+
+#include "filigree/report/chart.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace filigree::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Page sample() {
+    Table table;
+    table.caption = "Counts";
+    table.columns = {{"n", "N", "", Show::plain, 0}};
+    table.rows = {{int64_t{1234}}};
+    Picture picture;
+    picture.png = {'f', 'o', 'o'};
+    picture.width = 640;
+    picture.height = 480;
+    picture.alt = "states over \"leaf\"";
+    picture.file = "overlay leaf.png";
+    Page page;
+    page.title = "Maps of <leaf>";
+    page.lead = "One & all";
+    page.sections = {
+        {"First", {Paragraph{"a < b"}, table, Figure{picture, "Overlay", "filigree inspect 'a<b>.glb'"}}},
+        {"Second", {Legend{{{{1, 2, 255}, "opaque"}}}, Links{{{"scene.glb", "the scene"}}}}},
+        {"Third", {FigureRow{{{layOut(BarChart{}), "Bars", ""}}}}}};
+    return page;
+}
+
+TEST(Page, holdsEverythingItself) {
+    const std::string html = toHtml(sample());
+    EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
+    EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,Zm9v\""));
+    EXPECT_THAT(html, HasSubstr("width=\"640\" height=\"480\""));
+    EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(html, Not(HasSubstr("src=\"http")));
+    EXPECT_THAT(html, Not(HasSubstr("href=\"http")));
+    EXPECT_THAT(html, Not(HasSubstr("@import")));
+}
+
+TEST(Page, escapesEveryText) {
+    const std::string html = toHtml(sample());
+    EXPECT_THAT(html, HasSubstr("<title>Maps of &lt;leaf&gt;</title>"));
+    EXPECT_THAT(html, HasSubstr("One &amp; all"));
+    EXPECT_THAT(html, HasSubstr("a &lt; b"));
+    EXPECT_THAT(html, HasSubstr("alt=\"states over &quot;leaf&quot;\""));
+    EXPECT_THAT(html, HasSubstr("<code>filigree inspect &#39;a&lt;b&gt;.glb&#39;</code>"));
+    EXPECT_THAT(html, HasSubstr("href=\"overlay%20leaf.png\""));
+    EXPECT_THAT(html, HasSubstr("background:#0102ff"));
+}
+
+TEST(Page, listsItsSections) {
+    const std::string html = toHtml(sample());
+    EXPECT_THAT(html, HasSubstr("<a href=\"#s3\">Third</a>"));
+    EXPECT_THAT(html, HasSubstr("<section id=\"s3\">"));
+    Page small = sample();
+    small.sections.resize(1);
+    EXPECT_THAT(toHtml(small), Not(HasSubstr("<nav>")));
+}
+
+TEST(Page, tablesCarryTheirCsv) {
+    EXPECT_THAT(toHtml(sample()), HasSubstr("data-csv=\"n&#13;&#10;1234&#13;&#10;\""));
+}
+
+TEST(Page, picturesTooLargeToEmbedAreLinked) {
+    Page page;
+    page.sections = {{"", {Figure{Picture{{}, 0, 0, "", "big.png"}, "Big", ""}}}};
+    EXPECT_THAT(toHtml(page), HasSubstr("<a href=\"big.png\">big.png</a>"));
+}
+
+}  // namespace
+}  // namespace filigree::report
