@@ -36,6 +36,9 @@ struct BakeParameters {
 // As BakeParameters::mips: every mip level that there is.
 inline constexpr unsigned allMips = ~0U;
 
+// ErrorKind::usage, naming the option of the command line, when a parameter is out of range.
+Status check(const BakeParameters& parameters);
+
 // What a bake made. Triangles and micro-triangles count once for each primitive, however often it is placed.
 struct BakeSummary {
     uint64_t triangles = 0;             // of the whole scene

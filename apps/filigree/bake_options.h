@@ -1,0 +1,17 @@
+// The options that say how to bake, for every verb that does.
+#pragma once
+
+#include "filigree/jobs/bake.h"
+
+#include <CLI/CLI.hpp>
+
+namespace filigree::app {
+
+// Adds them to `verb`; they fill `parameters`, which must outlive the parsing. Values out of range are wrong
+// usage.
+void addBakeOptions(CLI::App& verb, jobs::BakeParameters& parameters);
+
+// Prints a bake's result as a table on stdout.
+void printSummary(const jobs::BakeSummary& summary);
+
+}  // namespace filigree::app

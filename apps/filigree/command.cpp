@@ -1,0 +1,40 @@
+#include "command.h"
+
+#include <fmt/format.h>
+
+namespace filigree::app {
+
+Command::Command(CLI::App& parent, const std::string& name, const std::string& description,
+                 const std::string& example)
+    : app_(parent.add_subcommand(name, description)) {
+    app_->footer("Example: " + example);
+    app_->add_option("--json", common_->json, "Write the result as JSON to this file")
+        ->type_name("FILE")
+        ->group("Common options");
+    app_->add_option("--threads", common_->threads, "Threads; 0, the default, is one for each processor")
+        ->type_name("N")
+        ->group("Common options")
+        ->check(CLI::Range(0, 1024).description(""));
+    app_->add_flag("--quiet", common_->quiet, "Print nothing but errors")->group("Common options");
+}
+
+int Command::report(const Error& error) {
+    std::string line = error.message;
+    for (char& c : line) {
+        if (c == '\n' || c == '\r') c = ' ';
+    }
+    fmt::print(stderr, "filigree: {}\n", line);
+    return error.kind == ErrorKind::usage ? wrongUsage : failed;
+}
+
+void Command::printNotes(const std::vector<std::string>& notes) {
+    for (const auto& note : notes) fmt::print(stderr, "note: {}\n", note);
+}
+
+int Command::writeJson(const std::string& json) const {
+    if (common_->json.empty()) return done;
+    const Status written = writeFile(common_->json, json + "\n");
+    return written ? done : report(written.error());
+}
+
+}  // namespace filigree::app

@@ -1,0 +1,44 @@
+"""Arguments: help, version, and wrong usage (exit 2)."""
+
+import unittest
+
+from asset import leaf
+from program import CliTest
+
+VERBS = (["bake"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
+
+
+class Usage(CliTest):
+    def test_version(self):
+        self.assertRegex(self.expect_done("--version").stdout, r"^filigree \d+\.\d+\.\d+\n$")
+
+    def test_help_names_every_verb(self):
+        text = self.expect_done("--help").stdout
+        for verb in VERBS:
+            self.assertIn(verb[0], text)
+
+    def test_every_verb_has_help_with_an_example(self):
+        for verb in VERBS:
+            text = self.expect_done(*verb, "--help").stdout
+            self.assertIn("Example: filigree " + " ".join(verb), text)
+            for option in ("--json", "--threads", "--quiet"):
+                self.assertIn(option, text)
+
+    def test_wrong_usage(self):
+        self.write("in.glb", leaf().glb())
+        bake = ["bake", "in.glb", "-o", "out.glb"]
+        for args in ([], ["sing"], ["bake"], ["bake", "in.glb"], ["inspect", "in.glb"], ["bench"],
+                     ["validate", "in.glb", "--sample", "0.5"], bake + ["--sing"], bake + ["more.glb"]):
+            self.expect_error(2, *args)
+        for option, *values in (["--level", "13", "-1", "x", ""], ["--max-level", "13"],
+                                ["--cutoff", "2", "-0.1", "nan"], ["--states", "3"], ["--guard", "-1", "inf"],
+                                ["--threads", "-1", "x"], ["--mips", "-1", "x"], ["--budget", "-1", "1X"]):
+            for value in values:
+                self.expect_error(2, *bake, f"{option}={value}", says=option)
+
+    def test_verbs_to_come(self):
+        self.expect_error(2, "compress", "in.glb", "-o", "out.fil", says="not in this version")
+
+
+if __name__ == "__main__":
+    unittest.main()
