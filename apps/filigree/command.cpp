@@ -18,17 +18,20 @@ Command::Command(CLI::App& parent, const std::string& name, const std::string& d
     app_->add_flag("--quiet", common_->quiet, "Print nothing but errors")->group("Common options");
 }
 
-int Command::report(const Error& error) {
-    std::string line = error.message;
-    for (char& c : line) {
-        if (c == '\n' || c == '\r') c = ' ';
+std::string oneLine(std::string text) {
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = '?';
     }
-    fmt::print(stderr, "filigree: {}\n", line);
+    return text;
+}
+
+int Command::report(const Error& error) {
+    fmt::print(stderr, "filigree: {}\n", oneLine(error.message));
     return error.kind == ErrorKind::usage ? wrongUsage : failed;
 }
 
 void Command::printNotes(const std::vector<std::string>& notes) {
-    for (const auto& note : notes) fmt::print(stderr, "note: {}\n", note);
+    for (const auto& note : notes) fmt::print(stderr, "note: {}\n", oneLine(note));
 }
 
 int Command::writeJson(const std::string& json) const {

@@ -19,6 +19,9 @@ namespace filigree::app {
 
 enum ExitCode : int { done = 0, failed = 1, wrongUsage = 2 };
 
+// `text` with control characters as '?': names from a file may not steer the terminal or break the line.
+std::string oneLine(std::string text);
+
 struct CommonOptions {
     std::filesystem::path json;
     unsigned threads = 0;  // 0: one for each processor

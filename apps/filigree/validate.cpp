@@ -13,7 +13,7 @@ namespace {
 void printResult(const jobs::ValidateSummary& s) {
     using report::formatCount;
     for (const auto& breach : s.breaches)
-        fmt::print("{}: {}: {}\n", breach.path, breach.rule, breach.message);
+        fmt::print("{}\n", oneLine(breach.path + ": " + breach.rule + ": " + breach.message));
     if (s.deep) {
         printPairs({{"micro-triangles", formatCount(s.deep->microTriangles)},
                     {"wrong", formatCount(s.deep->wrong)},

@@ -25,9 +25,9 @@ class CliTest(unittest.TestCase):
     def files(self):
         return sorted(str(p.relative_to(self.folder)) for p in self.folder.rglob("*"))
 
-    def run_program(self, *args, **options):
+    def run_program(self, *args):
         return subprocess.run([PROGRAM, *map(str, args)], cwd=self.folder, capture_output=True, text=True,
-                              timeout=SECONDS, **options)
+                              errors="replace", timeout=SECONDS)
 
     def expect_done(self, *args):
         result = self.run_program(*args)

@@ -4,6 +4,7 @@
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
+#include "filigree/io/breach.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,13 +21,6 @@ struct ValidateOptions {
     double sample = 1.0;
 };
 
-// One broken rule.
-struct Breach {
-    std::string path;  // JSON path in the document ("/meshes/0/primitives/1/..."), or a file of a blob folder
-    std::string rule;  // short name of the rule
-    std::string message;  // what was found and what was expected
-};
-
 struct DeepSummary {
     uint64_t microTriangles = 0;  // examined
     uint64_t wrong = 0;           // known, but not true throughout
@@ -35,7 +29,7 @@ struct DeepSummary {
 };
 
 struct ValidateSummary {
-    std::vector<Breach> breaches;
+    std::vector<io::Breach> breaches;
     std::optional<DeepSummary>
         deep;  // with ValidateOptions::deep, when the rules hold well enough to read the file
     std::vector<std::string> notes;

@@ -1,0 +1,140 @@
+#include "jobs/deep.h"
+
+#include "filigree/verify/verify.h"
+
+#include "jobs/alpha_source.h"
+#include "jobs/one_stage.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+// The primitives that share one micromap and one alpha source.
+struct DeepGroup {
+    int micromaps = -1;
+    AlphaGroup alpha;
+};
+
+// The source that the micromaps claim to hold: the material's own alpha, under the recorded parameters if
+// any.
+AlphaSource claimedSource(const scene::Material& material, const scene::Micromaps& micromaps) {
+    AlphaSource source = sourceOf(material);
+    if (micromaps.bakedWith) {
+        const double factor = source.test.factor;
+        source.test = *micromaps.bakedWith;
+        source.test.factor = factor;
+    }
+    return source;
+}
+
+void noteParameters(const scene::Scene& scene, ValidateSummary& summary) {
+    for (const auto& micromaps : scene.micromaps) {
+        if (micromaps.bakedWith) continue;
+        summary.notes.push_back(
+            micromaps.name +
+            ": records no parameters; examined with each material's own cutoff, guard 0, mips 0");
+    }
+}
+
+// Sorts the primitives with micromaps by what they are examined against.
+std::vector<DeepGroup> gatherGroups(scene::Scene& scene, ValidateSummary& summary) {
+    std::vector<DeepGroup> groups;
+    for (auto& mesh : scene.meshes) {
+        for (auto& primitive : mesh.primitives) {
+            if (primitive.micromaps < 0) continue;
+            if (primitive.material < 0 ||
+                scene.materials[static_cast<size_t>(primitive.material)].alphaMode ==
+                    scene::AlphaMode::opaque) {
+                summary.notes.push_back(
+                    fmt::format("/meshes/{}/primitives/{}: has micromaps but its material is "
+                                "OPAQUE; not examined",
+                                primitive.meshIndex, primitive.primitiveIndex));
+                continue;
+            }
+            const auto source = claimedSource(scene.materials[static_cast<size_t>(primitive.material)],
+                                              scene.micromaps[static_cast<size_t>(primitive.micromaps)]);
+            auto group = std::find_if(groups.begin(), groups.end(), [&](const DeepGroup& g) {
+                return g.micromaps == primitive.micromaps && g.alpha.source == source;
+            });
+            if (group == groups.end()) group = groups.insert(group, {primitive.micromaps, {source, {}}});
+            group->alpha.primitives.push_back(&primitive);
+        }
+    }
+    return groups;
+}
+
+std::string describe(const verify::Finding& finding, uint64_t triangle) {
+    static constexpr const char* states[] = {"transparent", "opaque", "unknown-transparent",
+                                             "unknown-opaque"};
+    static constexpr const char* truths[] = {"transparent", "opaque", "mixed", "uncertain"};
+    return fmt::format("triangle {}, level {}, micro-triangle {}: says {}, is {}", triangle, finding.level,
+                       finding.microTriangle, states[static_cast<size_t>(finding.state)],
+                       truths[static_cast<size_t>(finding.truth)]);
+}
+
+void addFindings(const std::vector<scene::Primitive*>& primitives,
+                 const std::vector<verify::Finding>& findings, ValidateSummary& summary) {
+    for (const auto& finding : findings) {
+        uint64_t triangle = finding.triangle;
+        auto primitive = primitives.begin();
+        while (triangle >= (*primitive)->triangleCount()) triangle -= (*primitive++)->triangleCount();
+        summary.breaches.push_back(
+            {fmt::format("/meshes/{}/primitives/{}", (*primitive)->meshIndex, (*primitive)->primitiveIndex),
+             "a known state is true throughout", describe(finding, triangle)});
+    }
+}
+
+Status examine(scene::Scene& scene, const DeepGroup& group, double sample, const Executor& executor,
+               ProgressSink& progress, ValidateSummary& summary) {
+    auto& set = scene.micromaps[static_cast<size_t>(group.micromaps)].set;
+    const auto texture = textureOf(scene, group.alpha.source);
+    const auto test = testFor(group.alpha.source, texture);
+    for (const auto* primitive : group.alpha.primitives) {
+        set.indices.insert(set.indices.end(), primitive->micromapIndices.begin(),
+                           primitive->micromapIndices.end());
+    }
+    const auto counts = verify::deepCheck(trianglesOf(group.alpha.primitives), set, texture, test,
+                                          {sample, 1}, executor, progress);
+    set.indices.clear();
+    if (!counts) return counts.error().within(nameOf(scene, group.alpha.source));
+    summary.deep->microTriangles += counts->microTriangles;
+    summary.deep->wrong += counts->wrong;
+    summary.deep->overCautious += counts->overCautious;
+    summary.deep->uncertain += counts->uncertain;
+    addFindings(group.alpha.primitives, counts->first, summary);
+    return {};
+}
+
+uint64_t microTriangles(const scene::Scene& scene, const DeepGroup& group) {
+    const auto& records = scene.micromaps[static_cast<size_t>(group.micromaps)].set.records;
+    uint64_t count = 0;
+    for (const auto* primitive : group.alpha.primitives) {
+        for (const int32_t index : primitive->micromapIndices) {
+            count += index < 0 ? 1 : micromap::microTriangleCount(records[static_cast<size_t>(index)].level);
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+Status validateDeep(scene::Scene& scene, double sample, const Executor& executor, ProgressSink& progress,
+                    ValidateSummary& summary) {
+    summary.deep.emplace();
+    noteParameters(scene, summary);
+    const auto groups = gatherGroups(scene, summary);
+    uint64_t total = 0;
+    for (const auto& group : groups) total += microTriangles(scene, group);
+    OneStage stage(progress, "examine", total, "micro-triangles");
+    for (const auto& group : groups) {
+        if (auto examined = examine(scene, group, sample, executor, stage, summary); !examined)
+            return examined;
+    }
+    return {};
+}
+
+}  // namespace filigree::jobs
