@@ -1,5 +1,6 @@
 #include "filigree/jobs/bake.h"
 
+#include "filigree/io/api_blob.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_write.h"
 
@@ -29,6 +30,20 @@ io::MicromapOutput outputOf(const scene::Scene& scene, bool rotated) {
     return output;
 }
 
+Status write(const BakeOptions& options, const io::GltfDocument& document, const io::MicromapOutput& output) {
+    if (!options.rawFolder.empty()) {
+        auto written = io::writeApiBlobs(options.rawFolder, output, options.input.filename().string());
+        if (!written) return written;
+    }
+    if (options.output.empty()) return {};
+    auto written = io::writeWithMicromaps(document, output, options.output);
+    if (!written && !options.rawFolder.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove_all(options.rawFolder, ignored);
+    }
+    return written;
+}
+
 }  // namespace
 
 Result<BakeSummary> bake(const BakeOptions& options, const Executor& executor, ProgressSink& progress) {
@@ -49,10 +64,7 @@ Result<BakeSummary> bake(const BakeOptions& options, const Executor& executor, P
 
     const Stopwatch writing;
     const auto output = outputOf(*scene, options.parameters.rotate);
-    if (!options.output.empty()) {
-        if (auto written = io::writeWithMicromaps(*document, output, options.output); !written)
-            return written.error();
-    }
+    if (auto written = write(options, *document, output); !written) return written.error();
     summary->writeSeconds = writing.seconds();
     summary->totalSeconds = total.seconds();
     return summary;

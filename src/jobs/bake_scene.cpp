@@ -57,10 +57,10 @@ void noteSkippedMaterials(const scene::Scene& scene, const BakeParameters& param
         (material.alphaMode == scene::AlphaMode::blend ? blended : opaque) += 1;
     }
     if (opaque > 0)
-        summary.notes.push_back(fmt::format("{} OPAQUE materials pass through untouched", opaque));
+        summary.notes.push_back(fmt::format("OPAQUE materials, passed through untouched: {}", opaque));
     if (blended > 0) {
-        summary.notes.push_back(
-            fmt::format("{} BLEND materials pass through untouched; --include-blend bakes them", blended));
+        summary.notes.push_back(fmt::format(
+            "BLEND materials, passed through untouched (--include-blend bakes them): {}", blended));
     }
 }
 
@@ -132,10 +132,8 @@ Status bakeGroup(scene::Scene& scene, const AlphaGroup& group, const BakeParamet
     ensureOneRecord(*flat, settings.format);
     count(*flat, baked->statistics, summary);
     if (const uint64_t lost = baked->statistics.nonFiniteTriangles; lost > 0) {
-        summary.notes.push_back(
-            fmt::format("{}: {} triangles have texture coordinates that are no numbers; they "
-                        "became unknown-opaque",
-                        name, lost));
+        summary.notes.push_back(fmt::format(
+            "{}: triangles whose texture coordinates are no numbers, made unknown-opaque: {}", name, lost));
     }
     handOut(group.primitives, static_cast<int>(scene.micromaps.size()), *baked, flat->indices);
     for (const auto* primitive : group.primitives)

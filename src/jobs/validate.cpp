@@ -1,5 +1,6 @@
 #include "filigree/jobs/validate.h"
 
+#include "filigree/io/api_blob.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_rules.h"
 
@@ -28,6 +29,15 @@ Status validateGltf(const ValidateOptions& options, const Executor& executor, Pr
     return validateDeep(*scene, options.sample, executor, progress, summary);
 }
 
+Status validateBlobs(const ValidateOptions& options, ValidateSummary& summary) {
+    auto breaches = io::checkApiBlobs(options.input);
+    if (!breaches) return breaches.error();
+    summary.breaches = std::move(*breaches);
+    if (options.deep)
+        summary.notes.push_back("blobs name no texture; examine the glTF file in depth instead");
+    return {};
+}
+
 }  // namespace
 
 Result<ValidateSummary> validate(const ValidateOptions& options, const Executor& executor,
@@ -37,7 +47,10 @@ Result<ValidateSummary> validate(const ValidateOptions& options, const Executor&
                      fmt::format("--sample {}: give a share above 0 and at most 1", options.sample)};
     }
     ValidateSummary summary;
-    const auto validated = validateGltf(options, executor, progress, summary);
+    std::error_code ignored;
+    const auto validated = std::filesystem::is_directory(options.input, ignored)
+                               ? validateBlobs(options, summary)
+                               : validateGltf(options, executor, progress, summary);
     if (!validated) return validated.error();
     return summary;
 }
