@@ -35,6 +35,14 @@ class BitWriter {
         }
     }
 
+    // Takes back all bits from `size` on.
+    void truncate(size_t size) {
+        assert(size <= size_);
+        size_ = size;
+        words_.resize((size + 63) / 64);
+        if (size % 64 != 0) words_.back() &= (uint64_t{1} << (size % 64)) - 1;
+    }
+
     [[nodiscard]] size_t size() const { return size_; }  // in bits
     [[nodiscard]] std::span<const uint64_t> words() const { return words_; }
     std::vector<uint64_t> take() && { return std::move(words_); }

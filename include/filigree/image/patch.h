@@ -1,0 +1,172 @@
+// One cell of bilinear alpha, and the exact range of it over a convex polygon.
+#pragma once
+
+#include "filigree/core/bounded.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace filigree::image {
+
+// A point relative to a cell's lowest corner; the cell is [0, 1]^2.
+template <class Real>
+struct PatchPoint {
+    Real x;
+    Real y;
+};
+
+// A convex polygon of at most `capacity` corners in order. One or two corners are a point or a line. Seven
+// corners and four cuts make eleven; rounding may add a few.
+template <class Real>
+class PatchPolygon {
+  public:
+    static constexpr size_t capacity = 24;
+    void push(const PatchPoint<Real>& p) {
+        assert(size_ < capacity);
+        points_[size_++] = p;
+    }
+    [[nodiscard]] size_t size() const { return size_; }
+    const PatchPoint<Real>& operator[](size_t k) const { return points_[k]; }
+
+  private:
+    std::array<PatchPoint<Real>, capacity> points_;
+    size_t size_ = 0;
+};
+
+// Bilinear alpha minus a threshold: constant + x * alongX + y * alongY + x * y * twist, in texel units.
+struct Patch {
+    double constant = 0;
+    double alongX = 0;
+    double alongY = 0;
+    double twist = 0;
+
+    // From the four corner texels, integers, and a threshold. Exact but for the one subtraction of the
+    // threshold.
+    static Patch of(double a00, double a10, double a01, double a11, double threshold) {
+        return {a00 - threshold, a10 - a00, a01 - a00, (a11 - a01) - (a10 - a00)};
+    }
+
+    template <class Real>
+    [[nodiscard]] Real at(const PatchPoint<Real>& p) const {
+        return (Real(constant) + Real(alongX) * p.x) + p.y * (Real(alongY) + Real(twist) * p.x);
+    }
+};
+
+// The values that a patch takes, from below and above. A range of Bounded values encloses the exact one.
+struct PatchRange {
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool empty() const { return lower > upper; }
+    // True when all values are surely >= 0, resp. < 0, given that each may be wrong by `tolerance`.
+    [[nodiscard]] bool isOpaque(double tolerance = 0) const { return lower >= tolerance; }
+    [[nodiscard]] bool isTransparent(double tolerance = 0) const { return upper < -tolerance; }
+
+    void add(double value) {
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
+    }
+    void add(const Bounded& value) {
+        lower = std::min(lower, value.value() - value.error());
+        upper = std::max(upper, value.value() + value.error());
+    }
+};
+
+// True unless `v` is surely below 0: keeps what rounding cannot tell.
+inline bool mayBeNotNegative(const Bounded& v, double) {
+    return !v.certainlyNegative();
+}
+inline bool mayBeNotNegative(double v, double slack) {
+    return v >= -slack;
+}
+
+inline bool isNotNegative(const Bounded& v) {
+    return v.certainlyNotNegative();
+}
+inline bool isNotNegative(double v) {
+    return v >= 0;
+}
+
+namespace detail {
+
+// Keeps the part of `polygon` where distance(p) >= 0 (Sutherland and Hodgman 1974), with what rounding cannot
+// tell.
+template <class Real, class Distance>
+PatchPolygon<Real> cut(const PatchPolygon<Real>& polygon, double slack, Distance&& distance) {
+    PatchPolygon<Real> kept;
+    const size_t n = polygon.size();
+    for (size_t k = 0; k < n; ++k) {
+        const PatchPoint<Real>& p = polygon[k];
+        const PatchPoint<Real>& q = polygon[k + 1 < n ? k + 1 : 0];
+        const Real dp = distance(p);
+        const Real dq = distance(q);
+        const bool keepP = mayBeNotNegative(dp, slack);
+        const bool keepQ = mayBeNotNegative(dq, slack);
+        if (keepP) kept.push(p);
+        if (keepP != keepQ) {
+            // The kept end may lie outside within rounding; then it is itself the crossing.
+            const Real t = dp / (dp - dq);
+            kept.push({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+        }
+    }
+    return kept;
+}
+
+// Adds what the patch takes between p and q: along a segment it is a parabola, whose turning point may lie
+// inside. Where rounding cannot tell whether it turns at all, the bound is infinite and both sides count.
+template <class Real>
+void addEdge(const Patch& patch, const PatchPoint<Real>& p, const PatchPoint<Real>& q, PatchRange& range) {
+    const Real dx = q.x - p.x;
+    const Real dy = q.y - p.y;
+    const Real bend = Real(patch.twist) * (dx * dy);
+    const Real slope =
+        Real(patch.alongX) * dx + Real(patch.alongY) * dy + Real(patch.twist) * (p.x * dy + p.y * dx);
+    const Real endSlope = slope + bend + bend;
+    if (isNotNegative(slope) && isNotNegative(endSlope)) return;
+    if (isNotNegative(-slope) && isNotNegative(-endSlope)) return;
+    if (isNotNegative(bend) && isNotNegative(-bend)) return;  // straight
+    const Real turn = -slope / (bend + bend);
+    range.add(patch.at(PatchPoint<Real>{p.x + turn * dx, p.y + turn * dy}));
+}
+
+}  // namespace detail
+
+// The part of a convex polygon with x0 <= x <= x1 and y0 <= y <= y1. Points that rounding may have put on the
+// wrong side stay in: with Real = double those within `slack`.
+template <class Real>
+PatchPolygon<Real> clipped(const PatchPolygon<Real>& polygon, double x0, double x1, double y0, double y1,
+                           double slack = 0) {
+    using Point = PatchPoint<Real>;
+    PatchPolygon<Real> inside = detail::cut(polygon, slack, [&](const Point& p) { return p.x - Real(x0); });
+    inside = detail::cut(inside, slack, [&](const Point& p) { return Real(x1) - p.x; });
+    inside = detail::cut(inside, slack, [&](const Point& p) { return p.y - Real(y0); });
+    return detail::cut(inside, slack, [&](const Point& p) { return Real(y1) - p.y; });
+}
+
+// The values that `patch` takes on the part of a convex `polygon` inside the cell; empty where they do not
+// meet. A bilinear patch has its extremes over a polygon on the polygon's edges, at corners or at a
+// parabola's turning point. With Real = Bounded the range encloses the exact one, and is exact where no
+// operation rounds. With Real = double and `slack` a bound of the corners' error, in cells, it may be off by
+// patchTolerance(patch, slack).
+template <class Real>
+PatchRange rangeOver(const Patch& patch, const PatchPolygon<Real>& polygon, double slack = 0) {
+    const PatchPolygon<Real> inside = clipped(polygon, 0, 1, 0, 1, slack);
+    PatchRange range;
+    for (size_t k = 0; k < inside.size(); ++k) range.add(patch.at(inside[k]));
+    if (patch.twist == 0) return range;
+    for (size_t k = 0; k < inside.size(); ++k) {
+        detail::addEdge(patch, inside[k], inside[k + 1 < inside.size() ? k + 1 : 0], range);
+    }
+    return range;
+}
+
+inline double patchTolerance(const Patch& patch, double slack) {
+    const double steepest = std::fabs(patch.alongX) + std::fabs(patch.alongY) + 2 * std::fabs(patch.twist);
+    return slack * 4 * steepest + 1e-9;
+}
+
+}  // namespace filigree::image

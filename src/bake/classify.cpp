@@ -1,0 +1,179 @@
+#include "bake/classify.h"
+
+#include "bake/majority.h"
+#include "bake/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace filigree::bake {
+namespace {
+
+constexpr unsigned parallelHeight = 9;  // parts of at least 4^9 micro-triangles are shared out
+constexpr double widestTile = 4;        // periods of the texture that a tile may span before it is divided
+
+// The side of a part that no outline of a layer crosses: one point tells, and the one furthest from the
+// threshold tells best. None where all are too close to call.
+std::optional<bool> sideOf(const SubTriangle& part, const Placement& placement,
+                           const image::Outline& outline) {
+    const int64_t n = int64_t{1} << part.height;
+    const Point<double> a = part.position(placement, 0, 0);
+    const Point<double> b = part.position(placement, n, 0);
+    const Point<double> c = part.position(placement, 0, n);
+    image::Outline::Side best;
+    for (const Point<double>& p : {Point<double>{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, a, b, c}) {
+        const image::Outline::Side side = outline.sideAt(p.x, p.y);
+        if (side.distance > best.distance) best = side;
+        if (best.distance > 1e-3) break;
+    }
+    return best.distance > 1e-9 ? std::optional(best.opaque) : std::nullopt;
+}
+
+class Classifier {
+  public:
+    Classifier(const mesh::UvTriangle& triangle, const Field& field, bool twoState)
+        : field_(field), twoState_(twoState), sidePlacement_(triangle, field.sideOutline()) {
+        for (const Layer& layer : field.layers()) placements_.emplace_back(triangle, layer.outline);
+    }
+
+    // Appends the quadtree of `part`. Returns the state when it is one leaf, else -1.
+    int visit(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
+        if (part.height > tileLevel || !fitsTile(part)) {
+            if (const int state = uniformState(part); state >= 0) return appendLeaf(part, state, stream);
+            if (part.height > 0) return visitChildren(part, executor, stream);
+        }
+        return visitTile(part, stream);
+    }
+
+  private:
+    int appendLeaf(const SubTriangle& part, int state, BitWriter& stream) const {
+        const auto value = static_cast<uint64_t>(twoState_ ? state & 1 : state);
+        if (part.height > 0) {
+            stream.append(value << 1, 3);
+        } else {
+            stream.append(value, 2);
+        }
+        return static_cast<int>(value);
+    }
+
+    // The state of a part that is all one, or -1 where it may not be.
+    [[nodiscard]] int uniformState(const SubTriangle& part) const {
+        for (size_t k = 0; k < placements_.size(); ++k) {
+            if (mayCross(part, placements_[k], field_.layers()[k].outline, field_.guard())) return -1;
+        }
+        if (const std::optional<bool> side = commonSide(part)) return *side ? 1 : 0;
+        if (mayCross(part, sidePlacement_, field_.sideOutline(), 0)) return -1;
+        return sideOf(part, sidePlacement_, field_.sideOutline()).value_or(true) ? 3 : 2;
+    }
+
+    // The side of a part that no outline crosses, where all layers agree on it.
+    [[nodiscard]] std::optional<bool> commonSide(const SubTriangle& part) const {
+        std::optional<bool> common;
+        for (size_t k = 0; k < placements_.size(); ++k) {
+            const std::optional<bool> side = sideOf(part, placements_[k], field_.layers()[k].outline);
+            if (!side || (common && *common != *side)) return std::nullopt;
+            common = side;
+        }
+        return common;
+    }
+
+    // False for parts that are better divided: too thin for the lattice, or many periods of the texture wide.
+    [[nodiscard]] bool fitsTile(const SubTriangle& part) const {
+        if (part.height == 0) return true;
+        for (size_t k = 0; k < placements_.size(); ++k) {
+            if (!isTraceable(part, placements_[k], field_.guard())) return false;
+            const int64_t n = int64_t{1} << part.height;
+            const Point<double> a = part.position(placements_[k], 0, 0);
+            for (const auto& [i, j] : {std::array{n, int64_t{0}}, std::array{int64_t{0}, n}}) {
+                const Point<double> b = part.position(placements_[k], i, j);
+                const image::Outline& outline = field_.layers()[k].outline;
+                if (std::fabs(b.x - a.x) > widestTile * static_cast<double>(outline.axisX().cells))
+                    return false;
+                if (std::fabs(b.y - a.y) > widestTile * static_cast<double>(outline.axisY().cells))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+    int visitChildren(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
+        const size_t mark = stream.size();
+        stream.append(1, 1);
+        std::array<int, 4> states{};
+        if (part.height >= parallelHeight && executor.concurrency() > 1) {
+            std::array<BitWriter, 4> streams;
+            executor.parallelFor(4, 1, [&](size_t begin, size_t end) {
+                for (size_t k = begin; k < end; ++k) {
+                    states[k] = visit(part.child(static_cast<unsigned>(k)), executor, streams[k]);
+                }
+            });
+            for (const BitWriter& child : streams) stream.append(child);
+        } else {
+            for (unsigned k = 0; k < 4; ++k) states[k] = visit(part.child(k), executor, stream);
+        }
+        if (states[0] < 0 || std::ranges::count(states, states[0]) != 4) return -1;
+        stream.truncate(mark);
+        return appendLeaf(part, states[0], stream);
+    }
+
+    int visitTile(const SubTriangle& part, BitWriter& stream) const {
+        Tile tile;
+        tile.reset(part.height);
+        for (size_t k = 0; k < placements_.size(); ++k) {
+            markCrossed(part, placements_[k], field_.layers()[k].outline, field_.guard(), tile);
+        }
+        fillClear(part, tile);
+        decideUnknown(part, tile);
+        return appendTile(tile, twoState_, stream);
+    }
+
+    // Gives each run of clear micro-triangles its state. Neighbours on the curve share a corner, so a run
+    // without a crossing lies on one side.
+    void fillClear(const SubTriangle& part, Tile& tile) const {
+        const TileCurve& curve = TileCurve::of(part.height);
+        for (uint32_t first = tile.unknown.find(false, 0, tile.count()); first < tile.count();) {
+            const uint32_t end = tile.unknown.find(true, first, tile.count());
+            if (const std::optional<bool> side = commonSide(microTriangle(part, curve.triangle(first)))) {
+                if (*side) tile.side.setRange(first, end);
+            } else {
+                tile.unknown.setRange(first, end);
+            }
+            first = tile.unknown.find(false, end, tile.count());
+        }
+    }
+
+    static SubTriangle microTriangle(const SubTriangle& part, micromap::LatticeTriangle t) {
+        SubTriangle one{part.level, 0, {}};
+        const auto lattice = micromap::corners(t);
+        for (size_t k = 0; k < 3; ++k) {
+            const auto [i, j] = part.global(lattice[k].i, lattice[k].j);
+            one.corner[k] = {static_cast<uint32_t>(i), static_cast<uint32_t>(j)};
+        }
+        return one;
+    }
+
+    void decideUnknown(const SubTriangle& part, Tile& tile) const {
+        const uint32_t first = tile.unknown.find(true, 0, tile.count());
+        if (first == tile.count()) return;
+        const TileCurve& curve = TileCurve::of(part.height);
+        const SideRule rule(part, sidePlacement_, field_.sideOutline());
+        for (uint32_t k = first; k < tile.count(); k = tile.unknown.find(true, k + 1, tile.count())) {
+            if (rule.isOpaque(curve.triangle(k))) tile.side.set(k);
+        }
+    }
+
+    const Field& field_;
+    bool twoState_;
+    Placement sidePlacement_;
+    std::vector<Placement> placements_;  // one a layer
+};
+
+}  // namespace
+
+void classify(const mesh::UvTriangle& triangle, const Field& field, unsigned level, bool twoState,
+              const Executor& executor, BitWriter& stream) {
+    Classifier(triangle, field, twoState).visit(SubTriangle::whole(level), executor, stream);
+}
+
+}  // namespace filigree::bake

@@ -1,0 +1,81 @@
+#include "bake/majority.h"
+
+#include "bake/rows.h"
+#include "bake/votes.h"
+
+#include <cmath>
+
+namespace filigree::bake {
+
+unsigned SideRule::depth(double squareTexels) {
+    unsigned depth = 2;
+    while (depth < 6 && squareTexels > 4.0 * static_cast<double>(1u << (2 * depth))) ++depth;
+    return depth;
+}
+
+SideRule::SideRule(const SubTriangle& part, const Placement& placement, const image::Outline& outline)
+    : part_(&part), placement_(&placement), outline_(&outline) {
+    const Point<double> origin = part.position(placement, 0, 0);
+    const Point<double> p = part.position(placement, 1, 0);
+    const Point<double> q = part.position(placement, 0, 1);
+    const double ux = p.x - origin.x;
+    const double uy = p.y - origin.y;
+    const double vx = q.x - origin.x;
+    const double vy = q.y - origin.y;
+    const unsigned levels = depth(std::fabs(ux * vy - uy * vx) / 2);
+    const double third = 1.0 / (3.0 * static_cast<double>(1u << levels));
+    for (uint32_t k = 0; k < micromap::microTriangleCount(levels); ++k) {
+        double i = 0;
+        double j = 0;
+        for (const micromap::LatticePoint c : micromap::corners(micromap::latticeTriangle(k, levels))) {
+            i += c.i;
+            j += c.j;
+        }
+        offsetX_.push_back(static_cast<float>((i * ux + j * vx) * third));
+        offsetY_.push_back(static_cast<float>((i * uy + j * vy) * third));
+    }
+    reach_ = std::max({std::fabs(ux), std::fabs(uy), std::fabs(vx), std::fabs(vy)});
+}
+
+bool SideRule::isOpaque(micromap::LatticeTriangle t) const {
+    const micromap::LatticePoint first = micromap::corners(t)[0];
+    const Point<double> corner = part_->position(*placement_, first.i, first.j);
+    const double sign = t.flipped ? -1 : 1;
+    int64_t column = 0;
+    int64_t row = 0;
+    size_t opaque = 0;
+    if (liesInside(corner, column, row)) {
+        const Votes votes{&outline_->texture().image,
+                          static_cast<uint32_t>(column),
+                          static_cast<uint32_t>(row),
+                          static_cast<float>(corner.x - std::floor(corner.x)),
+                          static_cast<float>(corner.y - std::floor(corner.y)),
+                          static_cast<float>(sign),
+                          static_cast<float>(outline_->threshold().value)};
+        opaque = countOpaque(votes, offsetX_, offsetY_);
+    } else {
+        for (size_t k = 0; k < offsetX_.size(); ++k) {
+            const double x = corner.x + sign * double{offsetX_[k]};
+            const double y = corner.y + sign * double{offsetY_[k]};
+            opaque += outline_->sideAt(x, y).opaque ? 1 : 0;
+        }
+    }
+    return 2 * opaque >= offsetX_.size();
+}
+
+bool SideRule::liesInside(const Point<double>& corner, int64_t& column, int64_t& row) const {
+    if (outline_->filter() != image::Filter::linear) return false;
+    const image::Outline::Axis& x = outline_->axisX();
+    const image::Outline::Axis& y = outline_->axisY();
+    // The cell of the corner where the image itself lies; samples reach `margin` cells around it.
+    column = floorToInt(corner.x);
+    row = floorToInt(corner.y);
+    if (x.wrap != image::Wrap::clampToEdge) column = x.canonical(column);
+    if (y.wrap != image::Wrap::clampToEdge) row = y.canonical(row);
+    const auto margin = static_cast<int64_t>(2 * reach_) + 2;
+    return column >= margin && column + margin < static_cast<int64_t>(x.size) && row >= margin &&
+           row + margin < static_cast<int64_t>(y.size) &&
+           outline_->texture().image.texels.size() < (size_t{1} << 30);
+}
+
+}  // namespace filigree::bake

@@ -1,0 +1,36 @@
+// Which side of an unknown micro-triangle is the greater (docs/spec/bake.md, "The side of an unknown").
+#pragma once
+
+#include "filigree/image/outline.h"
+
+#include "bake/tile.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace filigree::bake {
+
+// The rule for the micro-triangles of one sub-triangle, which are congruent: each is divided `depth()` times
+// more, and the centroids of the 4^depth parts vote; a tie is opaque.
+class SideRule {
+  public:
+    SideRule(const SubTriangle& part, const Placement& placement, const image::Outline& outline);
+
+    [[nodiscard]] bool isOpaque(micromap::LatticeTriangle t) const;
+
+    // At least 2, and deep enough that a part covers at most 4 square texels, but at most 6.
+    static unsigned depth(double squareTexels);
+
+  private:
+    // True when all samples of the micro-triangle at `corner` read texels of the image as it lies in memory.
+    [[nodiscard]] bool liesInside(const Point<double>& corner, int64_t& column, int64_t& row) const;
+
+    const SubTriangle* part_;
+    const Placement* placement_;
+    const image::Outline* outline_;
+    std::vector<float> offsetX_;  // of the centroids of an upright micro-triangle from its first corner
+    std::vector<float> offsetY_;
+    double reach_ = 0;  // the furthest of them in x or y
+};
+
+}  // namespace filigree::bake
