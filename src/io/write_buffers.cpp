@@ -115,7 +115,8 @@ Status rebase(Json& items, const std::filesystem::path& from, const std::filesys
 }
 
 std::filesystem::path absoluteFolder(const std::filesystem::path& folder) {
-    return std::filesystem::absolute(folder.empty() ? "." : folder).lexically_normal();
+    std::error_code ignored;
+    return std::filesystem::absolute(folder.empty() ? "." : folder, ignored).lexically_normal();
 }
 
 // Lists that editing made and left empty; glTF forbids empty ones.
