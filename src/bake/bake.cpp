@@ -53,15 +53,16 @@ std::vector<uint8_t> chooseLevels(std::span<const mesh::UvTriangle> triangles,
 class Fields {
   public:
     Fields(const image::AlphaTexture& texture, const image::AlphaTest& test)
-        : chain_(mipChain(texture, test.mips)), test_(test) {}
+        : chain_(texture, test.mips), test_(test) {}
 
     void prepare(float vertexAlpha) {
-        if (!fields_.contains(vertexAlpha)) fields_.try_emplace(vertexAlpha, chain_, test_, vertexAlpha);
+        if (!fields_.contains(vertexAlpha))
+            fields_.try_emplace(vertexAlpha, chain_.levels(), test_, vertexAlpha);
     }
     [[nodiscard]] const Field& of(float vertexAlpha) const { return fields_.at(vertexAlpha); }
 
   private:
-    std::vector<image::AlphaTexture> chain_;
+    MipChain chain_;
     image::AlphaTest test_;
     std::map<float, Field> fields_;
 };

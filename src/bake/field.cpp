@@ -12,20 +12,21 @@ std::vector<image::Filter> filtersOf(image::Filter filter) {
 
 }  // namespace
 
-Field::Field(const std::vector<image::AlphaTexture>& chain, const image::AlphaTest& test, double vertexAlpha)
+Field::Field(const std::vector<const image::AlphaTexture*>& chain, const image::AlphaTest& test,
+             double vertexAlpha)
     : guard_(test.guard) {
-    for (const image::AlphaTexture& level : chain) {
-        for (const image::Filter filter : filtersOf(level.filter)) {
+    for (const image::AlphaTexture* level : chain) {
+        for (const image::Filter filter : filtersOf(level->filter)) {
             for (const image::Threshold& threshold :
-                 image::thresholdsOf(test, vertexAlpha, level.image.steps)) {
-                layers_.push_back({&level, image::Outline(level, filter, threshold)});
+                 image::thresholdsOf(test, vertexAlpha, level->image.steps)) {
+                layers_.push_back({image::Outline(*level, filter, threshold)});
             }
         }
     }
-    const image::Threshold side = image::sideThreshold(test, vertexAlpha, chain.front().image.steps);
+    const image::Threshold side = image::sideThreshold(test, vertexAlpha, chain.front()->image.steps);
     const image::Outline& first = layers_.front().outline;
     if (!(side == first.threshold())) {
-        sideOutline_ = std::make_unique<image::Outline>(chain.front(), first.filter(), side);
+        sideOutline_ = std::make_unique<image::Outline>(*chain.front(), first.filter(), side);
     }
 }
 
@@ -33,16 +34,13 @@ bool Field::empty() const {
     return std::ranges::all_of(layers_, [](const Layer& layer) { return layer.outline.empty(); });
 }
 
-std::vector<image::AlphaTexture> mipChain(const image::AlphaTexture& texture, unsigned mips) {
-    std::vector<image::AlphaTexture> chain{texture};
-    const unsigned levels = std::min(mips, image::coarserLevels(texture.image));
-    chain.reserve(levels + 1);
-    for (unsigned level = 0; level < levels; ++level) {
-        image::AlphaTexture coarser = chain.back();
-        coarser.image = image::halve(chain.back().image);
-        chain.push_back(std::move(coarser));
+MipChain::MipChain(const image::AlphaTexture& texture, unsigned coarserLevels) : levels_{&texture} {
+    const unsigned count = std::min(coarserLevels, image::coarserLevels(texture.image));
+    for (unsigned level = 0; level < count; ++level) {
+        const image::AlphaTexture& finer = *levels_.back();
+        coarser_.push_back({image::halve(finer.image), texture.wrapU, texture.wrapV, texture.filter});
+        levels_.push_back(&coarser_.back());
     }
-    return chain;
 }
 
 }  // namespace filigree::bake

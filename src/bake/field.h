@@ -4,7 +4,7 @@
 #include "filigree/image/alpha_image.h"
 #include "filigree/image/outline.h"
 
-#include <cstdint>
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -12,7 +12,6 @@ namespace filigree::bake {
 
 // One outline: a mip level under one filter and one threshold.
 struct Layer {
-    const image::AlphaTexture* texture = nullptr;
     image::Outline outline;
 };
 
@@ -20,8 +19,9 @@ struct Layer {
 // layers and lies on the same side of each (docs/spec/bake.md).
 class Field {
   public:
-    // Mip levels are those of `chain`, level 0 first; it must outlive the field.
-    Field(const std::vector<image::AlphaTexture>& chain, const image::AlphaTest& test, double vertexAlpha);
+    // Mip levels are those of `chain`, level 0 first; its textures must outlive the field.
+    Field(const std::vector<const image::AlphaTexture*>& chain, const image::AlphaTest& test,
+          double vertexAlpha);
 
     [[nodiscard]] const std::vector<Layer>& layers() const { return layers_; }
     [[nodiscard]] double guard() const { return guard_; }
@@ -41,7 +41,17 @@ class Field {
     double guard_;
 };
 
-// Level 0 and `mips` coarser levels of a texture.
-std::vector<image::AlphaTexture> mipChain(const image::AlphaTexture& texture, unsigned mips);
+// A texture and some of its coarser mip levels.
+class MipChain {
+  public:
+    // Level 0 is `texture` itself, which must outlive the chain; the chain ends at 1x1 texel.
+    MipChain(const image::AlphaTexture& texture, unsigned coarserLevels);
+
+    [[nodiscard]] const std::vector<const image::AlphaTexture*>& levels() const { return levels_; }
+
+  private:
+    std::deque<image::AlphaTexture> coarser_;
+    std::vector<const image::AlphaTexture*> levels_;
+};
 
 }  // namespace filigree::bake

@@ -6,10 +6,42 @@
 #include <cmath>
 
 namespace filigree::bake {
+namespace {
+
+constexpr unsigned leastDepth = 2;
+constexpr unsigned mostDepth = 6;
+
+// Where a part's centroid lies between a triangle's first corner (0, 0) and the others, (1, 0) and (0, 1).
+struct Centroid {
+    double i = 0;
+    double j = 0;
+};
+
+std::vector<Centroid> makeCentroids(unsigned levels) {
+    std::vector<Centroid> centroids;
+    const double third = 1.0 / (3.0 * static_cast<double>(1u << levels));
+    for (uint32_t k = 0; k < micromap::microTriangleCount(levels); ++k) {
+        Centroid sum;
+        for (const micromap::LatticePoint c : micromap::corners(micromap::latticeTriangle(k, levels))) {
+            sum.i += c.i * third;
+            sum.j += c.j * third;
+        }
+        centroids.push_back(sum);
+    }
+    return centroids;
+}
+
+const std::vector<Centroid>& centroidsOf(unsigned levels) {
+    static const std::array<std::vector<Centroid>, mostDepth - leastDepth + 1> all{
+        makeCentroids(2), makeCentroids(3), makeCentroids(4), makeCentroids(5), makeCentroids(6)};
+    return all[levels - leastDepth];
+}
+
+}  // namespace
 
 unsigned SideRule::depth(double squareTexels) {
-    unsigned depth = 2;
-    while (depth < 6 && squareTexels > 4.0 * static_cast<double>(1u << (2 * depth))) ++depth;
+    unsigned depth = leastDepth;
+    while (depth < mostDepth && squareTexels > 4.0 * static_cast<double>(1u << (2 * depth))) ++depth;
     return depth;
 }
 
@@ -23,16 +55,12 @@ SideRule::SideRule(const SubTriangle& part, const Placement& placement, const im
     const double vx = q.x - origin.x;
     const double vy = q.y - origin.y;
     const unsigned levels = depth(std::fabs(ux * vy - uy * vx) / 2);
-    const double third = 1.0 / (3.0 * static_cast<double>(1u << levels));
-    for (uint32_t k = 0; k < micromap::microTriangleCount(levels); ++k) {
-        double i = 0;
-        double j = 0;
-        for (const micromap::LatticePoint c : micromap::corners(micromap::latticeTriangle(k, levels))) {
-            i += c.i;
-            j += c.j;
-        }
-        offsetX_.push_back(static_cast<float>((i * ux + j * vx) * third));
-        offsetY_.push_back(static_cast<float>((i * uy + j * vy) * third));
+    const std::vector<Centroid>& centroids = centroidsOf(levels);
+    offsetX_.reserve(centroids.size());
+    offsetY_.reserve(centroids.size());
+    for (const Centroid& c : centroids) {
+        offsetX_.push_back(static_cast<float>(c.i * ux + c.j * vx));
+        offsetY_.push_back(static_cast<float>(c.i * uy + c.j * vy));
     }
     reach_ = std::max({std::fabs(ux), std::fabs(uy), std::fabs(vx), std::fabs(vy)});
 }

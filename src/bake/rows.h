@@ -31,14 +31,15 @@ class TriangleRows {
     [[nodiscard]] int64_t firstRow() const { return first_; }
     [[nodiscard]] int64_t lastRow() const { return last_; }
 
-    // The columns of the cells of row `row`, firstRow() to lastRow(), that the widened triangle may touch.
+    // The columns of the cells of rows `first` to `last`, both from firstRow() to lastRow(), that the widened
+    // triangle may touch.
     struct Columns {
         int64_t first = 0;
         int64_t last = 0;
     };
-    [[nodiscard]] Columns columns(int64_t row) const {
-        const double low = std::max(static_cast<double>(row) - margin_, corner_[0].y);
-        const double high = std::min(static_cast<double>(row + 1) + margin_, corner_[2].y);
+    [[nodiscard]] Columns columns(int64_t first, int64_t last) const {
+        const double low = std::max(static_cast<double>(first) - margin_, corner_[0].y);
+        const double high = std::min(static_cast<double>(last + 1) + margin_, corner_[2].y);
         Extent extent;
         addEnd(low, extent);
         addEnd(high, extent);

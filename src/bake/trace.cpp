@@ -1,6 +1,7 @@
 #include "bake/trace.h"
 
 #include "bake/crossing.h"
+#include "bake/place.h"
 #include "bake/rows.h"
 
 #include <algorithm>
@@ -19,6 +20,12 @@ double marginOf(const Placement& placement, double guard) {
     return guard + 2 * placement.slack() + 1e-12;
 }
 
+// The longest side of the box around a triangle.
+double extentOf(const std::array<Point<double>, 3>& p) {
+    const auto side = [](double a, double b, double c) { return std::max({a, b, c}) - std::min({a, b, c}); };
+    return std::max(side(p[0].x, p[1].x, p[2].x), side(p[0].y, p[1].y, p[2].y));
+}
+
 // One lattice coordinate as a function of a point, and how far the guard and rounding reach in it.
 struct Coordinate {
     double perX = 0;
@@ -29,6 +36,8 @@ struct Coordinate {
     double length = 0;    // lattice steps for each texel of distance
 
     [[nodiscard]] double at(double x, double y) const { return constant + perX * x + perY * y; }
+    // The most lattice steps for a texel in x and one in y.
+    [[nodiscard]] double steps() const { return std::fabs(perX) + std::fabs(perY); }
 };
 
 // The lattice coordinates of points relative to the sub-triangle's first corner: micro-triangles lie between
@@ -39,6 +48,7 @@ struct LatticeFrame {
     Coordinate b;
     Coordinate c;
     double rounding = 0;  // the worst of the three
+    double density = 0;   // square lattice steps for a square texel
     bool valid = false;   // false for triangles too thin to be measured so
 
     LatticeFrame(const SubTriangle& part, const Placement& placement, double guard) {
@@ -55,7 +65,7 @@ struct LatticeFrame {
         b = {-uy / area, ux / area, 0, 0, 0, 0};
         c = {-a.perX - b.perX, -a.perY - b.perY, n, 0, 0, 0};
         for (Coordinate* coordinate : {&a, &b, &c}) {
-            const double steps = std::fabs(coordinate->perX) + std::fabs(coordinate->perY);
+            const double steps = coordinate->steps();
             const double thinness = steps * size;
             // Pieces are single precision within their cell; positions are off by the placement's slack; the
             // coefficients lose what `area` cancels.
@@ -64,15 +74,109 @@ struct LatticeFrame {
             coordinate->reach = steps * guard + coordinate->rounding;
             coordinate->length = std::hypot(coordinate->perX, coordinate->perY);
         }
+        density = std::fabs(a.perX * b.perY - a.perY * b.perX);
         rounding = std::max({a.rounding, b.rounding, c.rounding});
         valid = rounding < 1e-2;
     }
 };
 
 struct Span {
-    double low;
-    double high;
+    double low = 0;
+    double high = 0;
     Span(double p, double q, double reach) : low(std::min(p, q) - reach), high(std::max(p, q) + reach) {}
+    [[nodiscard]] bool overlaps(double from, double to) const { return high >= from && low <= to; }
+};
+
+// A piece's chord in the lattice, and how far the outline may lie from it.
+class LatticeChord {
+  public:
+    struct Axis {
+        Span outer;    // where the outline and the guard around it may reach
+        double inner;  // how far inside a micro-triangle a point of the chord must lie for the outline to
+                       // enter, too
+
+        Axis(const Coordinate& coordinate, double p, double q, double bulge)
+            : outer(p, q, coordinate.reach + bulge * coordinate.length),
+              inner(coordinate.rounding + bulge * coordinate.length) {}
+    };
+    Axis a;
+    Axis b;
+    Axis c;
+
+    // From `p` to `q`, relative to the frame's origin.
+    LatticeChord(const LatticeFrame& frame, double guard, const Point<double>& p, const Point<double>& q,
+                 double bulge)
+        : LatticeChord(frame, {frame.a.at(p.x, p.y), frame.b.at(p.x, p.y)},
+                       {frame.a.at(q.x, q.y), frame.b.at(q.x, q.y)}, bulge) {
+        const double dx = std::fabs(q.x - p.x);
+        const double dy = std::fabs(q.y - p.y);
+        // Distances to the chord's line are compared as areas: times its length, in lattice units.
+        const double lattice = std::fabs(q_.x - p_.x) + std::fabs(q_.y - p_.y);
+        area_ = frame.density * (bulge + guard + 2e-7) * (dx + dy) + 8 * frame.rounding * (lattice + 6);
+    }
+
+    // The most lattice steps it covers along an axis.
+    [[nodiscard]] double extent() const {
+        return std::max(std::fabs(q_.x - p_.x) + 2 * a.inner, std::fabs(q_.y - p_.y) + 2 * b.inner);
+    }
+
+    // Does the outline, within its bulge of the chord and widened by the guard, meet a micro-triangle? Convex
+    // shapes are apart exactly when a line along a side of one of them parts them.
+    enum class Meeting { no, yes, unclear };
+    [[nodiscard]] Meeting meets(int32_t i, int32_t j, bool flipped) const {
+        const double sign = flipped ? -1 : 1;
+        const Point<double> corner{static_cast<double>(i + (flipped ? 1 : 0)),
+                                   static_cast<double>(j + (flipped ? 1 : 0))};
+        const double sum = i + j + 1;
+        if (!a.outer.overlaps(i, i + 1) || !b.outer.overlaps(j, j + 1)) return Meeting::no;
+        if (flipped ? !c.outer.overlaps(n_ - sum - 1, n_ - sum) : !c.outer.overlaps(n_ - sum, n_ - sum + 1)) {
+            return Meeting::no;
+        }
+        if (isBeside({corner, {corner.x + sign, corner.y}, {corner.x, corner.y + sign}}, area_))
+            return Meeting::no;
+
+        // The triangle that keeps `inner` from each side.
+        const double size = 1 - a.inner - b.inner - c.inner;
+        if (size <= 0) return Meeting::unclear;
+        const Point<double> in{corner.x + sign * a.inner, corner.y + sign * b.inner};
+        const Span chordA(p_.x, q_.x, 0);
+        const Span chordB(p_.y, q_.y, 0);
+        const Span chordSum(p_.x + p_.y, q_.x + q_.y, 0);
+        const double far = sign * size;
+        const auto clear = [](const Span& span, double from, double to) {
+            return span.overlaps(std::min(from, to), std::max(from, to));
+        };
+        const bool meet = clear(chordA, in.x, in.x + far) && clear(chordB, in.y, in.y + far) &&
+                          clear(chordSum, in.x + in.y, in.x + in.y + far) &&
+                          !isBeside({in, {in.x + far, in.y}, {in.x, in.y + far}}, 0);
+        return meet ? Meeting::yes : Meeting::unclear;
+    }
+
+  private:
+    LatticeChord(const LatticeFrame& frame, const Point<double>& p, const Point<double>& q, double bulge)
+        : a(frame.a, p.x, q.x, bulge),
+          b(frame.b, p.y, q.y, bulge),
+          c(frame.c, frame.c.constant - p.x - p.y, frame.c.constant - q.x - q.y, bulge),
+          p_(p),
+          q_(q),
+          n_(frame.c.constant) {}
+
+    // True when all corners lie on one side of the chord's line, further than `area` tells.
+    [[nodiscard]] bool isBeside(const std::array<Point<double>, 3>& corners, double area) const {
+        double low = 1e300;
+        double high = -1e300;
+        for (const Point<double>& v : corners) {
+            const double turn = (q_.x - p_.x) * (v.y - p_.y) - (q_.y - p_.y) * (v.x - p_.x);
+            low = std::min(low, turn);
+            high = std::max(high, turn);
+        }
+        return low > area || high < -area;
+    }
+
+    Point<double> p_;
+    Point<double> q_;
+    double n_;
+    double area_ = 0;
 };
 
 // Carries pieces of one layer's outline into one tile.
@@ -82,14 +186,14 @@ class Tracer {
            Tile& tile)
         : part_(part),
           outline_(outline),
+          guard_(guard),
           curve_(TileCurve::of(part.height)),
           test_(part, placement, outline, guard),
           frame_(part, placement, guard),
           rows_(cornersOf(part, placement), marginOf(placement, guard)),
           n_(int32_t{1} << part.height),
-          reach_(std::max({frame_.a.reach, frame_.b.reach, frame_.c.reach}) + frame_.rounding),
-          length_(std::max({frame_.a.length, frame_.b.length, frame_.c.length})),
           tile_(tile) {
+        placeable_ = makePlaceFrame(extentOf(cornersOf(part, placement)) + guard);
         left_ = tile.count();
         for (uint32_t k = 0; k < tile.count(); k += 64) {
             left_ -= static_cast<uint32_t>(std::popcount(tile.unknown.word(k / 64)));
@@ -97,15 +201,15 @@ class Tracer {
     }
 
     void run() {
-        for (int64_t row = rows_.firstRow(); row <= rows_.lastRow() && left_ > 0; ++row) {
-            const TriangleRows::Columns columns = rows_.columns(row);
-            outline_.forEachPiece(row, columns.first, columns.last,
-                                  [&](int64_t offset, std::span<const image::OutlinePiece> pieces) {
-                                      for (const image::OutlinePiece& piece : pieces) {
-                                          addInCell({offset + piece.cell, row}, piece);
-                                      }
-                                      return left_ > 0;
-                                  });
+        for (int64_t row = rows_.firstRow(); row <= rows_.lastRow() && left_ > 0;) {
+            const int64_t last = std::min(outline_.bandEnd(row), rows_.lastRow());
+            const TriangleRows::Columns columns = rows_.columns(row, last);
+            outline_.forEachRun({row, last, columns.first, columns.last},
+                                [&](const image::Outline::Run& all) {
+                                    addRun(all);
+                                    return left_ > 0;
+                                });
+            row = last + 1;
         }
     }
 
@@ -115,79 +219,77 @@ class Tracer {
         int64_t y;
     };
 
-    void addInCell(const Cell& cell, const image::OutlinePiece& piece) {
-        const Point<double> base{static_cast<double>(cell.x) - frame_.origin.x,
-                                 static_cast<double>(cell.y) - frame_.origin.y};
-        if (!frame_.valid) {
-            testAll(cell, piece);
-        } else if (!addInOne(base, piece)) {
-            add(cell, base, piece, 0);
+    void addRun(const image::Outline::Run& all) {
+        image::Outline::Run part = all;
+        for (; part.first < all.end; part.first += Places::capacity) {
+            part.end = std::min(all.end, part.first + Places::capacity);
+            if (placeable_) {
+                placePieces(outline_.pieceArrays(), part, place_, places_);
+            } else {
+                places_.first.fill(placeUnclear);
+            }
+            for (size_t k = part.first; k < part.end; ++k) {
+                const int32_t first = places_.first[k - part.first];
+                if (first == placeUnclear) {
+                    addPiece(part, k);
+                } else {
+                    markPlace(first);
+                    markPlace(places_.second[k - part.first]);
+                }
+            }
         }
     }
 
-    // The usual case: all of a piece lies well inside one micro-triangle. False where it does not.
-    bool addInOne(const Point<double>& base, const image::OutlinePiece& piece) {
-        const double a = frame_.a.at(base.x, base.y);
-        const double b = frame_.b.at(base.x, base.y);
-        const double pa = a + (frame_.a.perX * piece.x0 + frame_.a.perY * piece.y0);
-        const double pb = b + (frame_.b.perX * piece.x0 + frame_.b.perY * piece.y0);
-        const double qa = a + (frame_.a.perX * piece.x1 + frame_.a.perY * piece.y1);
-        const double qb = b + (frame_.b.perX * piece.x1 + frame_.b.perY * piece.y1);
-        const auto i = static_cast<int32_t>(pa);
-        const auto j = static_cast<int32_t>(pb);
-        const double reach = reach_ + piece.bulge * length_;
-        const double lowA = std::min(pa, qa) - i;
-        const double lowB = std::min(pb, qb) - j;
-        const double lowSum = std::min(pa + pb, qa + qb) - (i + j);
-        const double highSum = std::max(pa + pb, qa + qb) - (i + j);
-        if (lowA < reach || lowB < reach || i + j >= n_) return false;
-        if (highSum < 1 - reach) {
-            mark(curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), false));
-            return true;
-        }
-        const double highA = std::max(pa, qa) - i;
-        const double highB = std::max(pb, qb) - j;
-        if (lowSum < 1 + reach || highA > 1 - reach || highB > 1 - reach || i + j + 2 > n_) return false;
-        mark(curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), true));
-        return true;
+    void markPlace(int32_t place) {
+        if (place < 0) return;
+        mark(curve_.index(static_cast<uint32_t>(place >> 1) & 0x7fff, static_cast<uint32_t>(place >> 16),
+                          (place & 1) != 0));
+    }
+
+    void addPiece(const image::Outline::Run& run, size_t k) {
+        const image::OutlinePiece piece = outline_.piece(k);
+        const Cell cell{run.column + piece.cell, run.row + piece.row};
+        if (!frame_.valid) return testAll(cell, piece);
+        add(cell,
+            {static_cast<double>(cell.x) - frame_.origin.x, static_cast<double>(cell.y) - frame_.origin.y},
+            piece, 0);
+    }
+
+    // The frame in single precision. False where the tile is too wide for it.
+    bool makePlaceFrame(double extent) {
+        const double reach = std::max({frame_.a.reach, frame_.b.reach, frame_.c.reach}) + frame_.rounding;
+        const double length = std::max({frame_.a.length, frame_.b.length, frame_.c.length});
+        const double steps = std::max({frame_.a.steps(), frame_.b.steps(), frame_.c.steps()});
+        const double single = 1e-6 * (steps * (extent + 16) + n_);
+        place_.column = static_cast<int32_t>(floorToInt(frame_.origin.x));
+        place_.row = static_cast<int32_t>(floorToInt(frame_.origin.y));
+        const double x = frame_.origin.x - place_.column;
+        const double y = frame_.origin.y - place_.row;
+        place_.ax = static_cast<float>(frame_.a.perX);
+        place_.ay = static_cast<float>(frame_.a.perY);
+        place_.a0 = static_cast<float>(-(frame_.a.perX * x + frame_.a.perY * y));
+        place_.bx = static_cast<float>(frame_.b.perX);
+        place_.by = static_cast<float>(frame_.b.perY);
+        place_.b0 = static_cast<float>(-(frame_.b.perX * x + frame_.b.perY * y));
+        place_.reach = static_cast<float>((reach + single) * 1.000001);
+        place_.length = static_cast<float>(length * 1.000001);
+        place_.steps = static_cast<float>(n_);
+        return frame_.valid && single < 0.05 && extent < 1e6;
     }
 
     // Marks what a piece crosses; `base` is the cell relative to the frame's origin.
     void add(const Cell& cell, const Point<double>& base, const image::OutlinePiece& piece, int depth) {
-        const Point<double> p{base.x + piece.x0, base.y + piece.y0};
-        const Point<double> q{base.x + piece.x1, base.y + piece.y1};
-        const Point<double> lp{frame_.a.at(p.x, p.y), frame_.b.at(p.x, p.y)};
-        const Point<double> lq{frame_.a.at(q.x, q.y), frame_.b.at(q.x, q.y)};
-        const Span a(lp.x, lq.x, frame_.a.reach + piece.bulge * frame_.a.length);
-        const Span b(lp.y, lq.y, frame_.b.reach + piece.bulge * frame_.b.length);
-        const Span c(n_ - lp.x - lp.y, n_ - lq.x - lq.y, frame_.c.reach + piece.bulge * frame_.c.length);
-        if (a.high < 0 || b.high < 0 || c.high < 0) return;
-        const double dx = std::fabs(lp.x - lq.x) + 2 * piece.bulge * frame_.a.length;
-        const double dy = std::fabs(lp.y - lq.y) + 2 * piece.bulge * frame_.b.length;
-        if (std::max(dx, dy) > longest && depth < deepest) {
-            const image::Patch patch = outline_.patch(cell.x, cell.y);
-            if (const auto halves = outline_.split(piece, patch)) {
+        const LatticeChord chord(frame_, guard_, {base.x + piece.x0, base.y + piece.y0},
+                                 {base.x + piece.x1, base.y + piece.y1}, piece.bulge);
+        if (chord.a.outer.high < 0 || chord.b.outer.high < 0 || chord.c.outer.high < 0) return;
+        if (chord.extent() > longest && depth < deepest) {
+            if (const auto halves = outline_.split(piece, outline_.patch(cell.x, cell.y))) {
                 add(cell, base, (*halves)[0], depth + 1);
                 add(cell, base, (*halves)[1], depth + 1);
                 return;
             }
         }
-        markAt(lp);
-        markAt(lq);
-        testNear(cell, piece, a, b, c);
-    }
-
-    // A micro-triangle that holds a point of the outline well inside is crossed for sure.
-    void markAt(const Point<double>& p) {
-        const double margin = 2 * frame_.rounding;
-        const auto i = static_cast<int32_t>(floorToInt(p.x));
-        const auto j = static_cast<int32_t>(floorToInt(p.y));
-        const double fi = p.x - i;
-        const double fj = p.y - j;
-        if (i < 0 || j < 0 || fi < margin || fj < margin || fi > 1 - margin || fj > 1 - margin) return;
-        const bool flipped = fi + fj > 1;
-        if (i + j + (flipped ? 2 : 1) > n_ || std::fabs(fi + fj - 1) < margin) return;
-        mark(curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), flipped));
+        testNear(cell, piece, chord);
     }
 
     void mark(uint32_t index) {
@@ -196,21 +298,29 @@ class Tracer {
         --left_;
     }
 
-    // Tests each micro-triangle that meets the three spans and is not marked yet.
-    void testNear(const Cell& cell, const image::OutlinePiece& piece, const Span& a, const Span& b,
-                  const Span& c) {
-        const auto firstI = static_cast<int32_t>(floorToInt(std::max(a.low, 0.0)));
-        const auto lastI = static_cast<int32_t>(floorToInt(std::min(a.high, n_ - 1.0)));
-        const auto firstJ = static_cast<int32_t>(floorToInt(std::max(b.low, 0.0)));
-        const auto lastJ = static_cast<int32_t>(floorToInt(std::min(b.high, n_ - 1.0)));
+    // Looks at each micro-triangle next to the chord that is not marked yet.
+    void testNear(const Cell& cell, const image::OutlinePiece& piece, const LatticeChord& chord) {
+        const auto firstI = static_cast<int32_t>(floorToInt(std::max(chord.a.outer.low, 0.0)));
+        const auto lastI = static_cast<int32_t>(floorToInt(std::min(chord.a.outer.high, n_ - 1.0)));
+        const auto firstJ = static_cast<int32_t>(floorToInt(std::max(chord.b.outer.low, 0.0)));
+        const auto lastJ = static_cast<int32_t>(floorToInt(std::min(chord.b.outer.high, n_ - 1.0)));
         for (int32_t j = firstJ; j <= lastJ; ++j) {
-            for (int32_t i = firstI; i <= lastI; ++i) {
-                const int32_t k =
-                    n_ - 1 - i - j;  // c of an upright one runs from k to k + 1, of a flipped from k - 1
-                if (k < 0) break;
-                if (k <= c.high && k + 1 >= c.low) testOne(cell, piece, i, j, false);
-                if (k > 0 && k - 1 <= c.high && k >= c.low) testOne(cell, piece, i, j, true);
+            for (int32_t i = firstI; i <= lastI && i + j < n_; ++i) {
+                consider(cell, piece, chord, i, j, false);
+                if (i + j + 1 < n_) consider(cell, piece, chord, i, j, true);
             }
+        }
+    }
+
+    void consider(const Cell& cell, const image::OutlinePiece& piece, const LatticeChord& chord, int32_t i,
+                  int32_t j, bool flipped) {
+        switch (chord.meets(i, j, flipped)) {
+            case LatticeChord::Meeting::no:
+                return;
+            case LatticeChord::Meeting::yes:
+                return mark(curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), flipped));
+            case LatticeChord::Meeting::unclear:
+                return testOne(cell, piece, i, j, flipped);
         }
     }
 
@@ -236,13 +346,15 @@ class Tracer {
 
     const SubTriangle& part_;
     const image::Outline& outline_;
+    double guard_;
     const TileCurve& curve_;
     CrossingTest test_;
     LatticeFrame frame_;
     TriangleRows rows_;
     int32_t n_;
-    double reach_;   // the furthest that guard and rounding reach in any lattice coordinate
-    double length_;  // the most lattice steps for a texel
+    PlaceFrame place_;
+    Places places_;
+    bool placeable_;
     Tile& tile_;
     uint32_t left_;
 };
@@ -253,9 +365,11 @@ bool mayCross(const SubTriangle& part, const Placement& placement, const image::
               double guard) {
     if (outline.empty()) return false;
     const TriangleRows rows(cornersOf(part, placement), marginOf(placement, guard));
-    for (int64_t row = rows.firstRow(); row <= rows.lastRow(); ++row) {
-        const TriangleRows::Columns columns = rows.columns(row);
-        if (outline.crosses(row, columns.first, columns.last)) return true;
+    for (int64_t row = rows.firstRow(); row <= rows.lastRow();) {
+        const int64_t last = std::min(outline.bandEnd(row), rows.lastRow());
+        const TriangleRows::Columns columns = rows.columns(row, last);
+        if (outline.crosses({row, last, columns.first, columns.last})) return true;
+        row = last + 1;
     }
     return false;
 }

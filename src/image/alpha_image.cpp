@@ -39,6 +39,7 @@ AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const u
 
 uint32_t wrapTexel(int64_t coordinate, uint32_t size, Wrap wrap) {
     const int64_t n = size;
+    if (coordinate >= 0 && coordinate < n) return static_cast<uint32_t>(coordinate);
     if (wrap == Wrap::clampToEdge) return static_cast<uint32_t>(std::clamp<int64_t>(coordinate, 0, n - 1));
     const int64_t period = wrap == Wrap::repeat ? n : 2 * n;
     int64_t in = coordinate % period;

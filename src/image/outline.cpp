@@ -64,14 +64,33 @@ double distanceToChord(const Arc& arc, const Point& p) {
     return std::fabs(dx * (p.y - arc.from.y) - dy * (p.x - arc.from.x)) / length;
 }
 
-OutlinePiece pieceOf(const Arc& arc, int32_t cell, double bulge) {
+OutlinePiece pieceOf(const Arc& arc, int32_t cell, int32_t row, double bulge) {
     return {cell,
+            row,
             static_cast<float>(arc.from.x),
             static_cast<float>(arc.from.y),
             static_cast<float>(arc.to.x),
             static_cast<float>(arc.to.y),
             static_cast<float>(bulge * 1.000001)};
 }
+
+// Where the pieces of one cell go.
+struct PieceSink {
+    Outline::PieceArrays& arrays;
+    int32_t cell;
+    int32_t row;
+
+    void push(const Arc& arc, double bulge) const {
+        const OutlinePiece piece = pieceOf(arc, cell, row, bulge);
+        arrays.cell.push_back(cell);
+        arrays.row.push_back(row);
+        arrays.x0.push_back(piece.x0);
+        arrays.y0.push_back(piece.y0);
+        arrays.x1.push_back(piece.x1);
+        arrays.y1.push_back(piece.y1);
+        arrays.bulge.push_back(piece.bulge);
+    }
+};
 
 // How far an arc may stray from its chord. Whatever it does, it stays in the rectangle of its ends.
 double bulgeOf(const Arc& arc, const std::optional<Point>& middle) {
@@ -80,19 +99,18 @@ double bulgeOf(const Arc& arc, const std::optional<Point>& middle) {
 }
 
 // Appends an arc as pieces, split until they are nearly straight.
-void appendArc(const Patch& patch, const Arc& arc, int32_t cell, int splits,
-               std::vector<OutlinePiece>& pieces) {
+void appendArc(const Patch& patch, const Arc& arc, int splits, const PieceSink& sink) {
     double bulge = 0;
     if (patch.twist != 0) {
         const std::optional<Point> middle = middleOf(patch, arc);
         bulge = bulgeOf(arc, middle);
         if (middle && bulge > splitBulge && splits < mostSplits) {
-            appendArc(patch, {arc.from, *middle}, cell, splits + 1, pieces);
-            appendArc(patch, {*middle, arc.to}, cell, splits + 1, pieces);
+            appendArc(patch, {arc.from, *middle}, splits + 1, sink);
+            appendArc(patch, {*middle, arc.to}, splits + 1, sink);
             return;
         }
     }
-    pieces.push_back(pieceOf(arc, cell, bulge));
+    sink.push(arc, bulge);
 }
 
 // Corners of a cell in turn: 00, 10, 11, 01. Edge k runs from corner k to corner k + 1.
@@ -107,8 +125,7 @@ Point crossing(unsigned k, double a, double b) {
 }
 
 // The arcs of a bilinear cell with corner values `v` (minus the threshold; opaque where >= 0), in turn.
-void appendBilinear(const Patch& patch, const std::array<double, 4>& v, int32_t cell,
-                    std::vector<OutlinePiece>& pieces) {
+void appendBilinear(const Patch& patch, const std::array<double, 4>& v, const PieceSink& sink) {
     std::array<Point, 4> met{};
     unsigned count = 0;
     for (unsigned k = 0; k < 4; ++k) {
@@ -116,26 +133,25 @@ void appendBilinear(const Patch& patch, const std::array<double, 4>& v, int32_t 
         met[count++] = crossing(k, v[k], v[(k + 1) % 4]);
     }
     if (count == 2) {
-        appendArc(patch, {met[0], met[1]}, cell, 0, pieces);
+        appendArc(patch, {met[0], met[1]}, 0, sink);
     } else if (count == 4) {
         // A saddle: two arcs. Where the saddle's value joins the corners of corner 0's side, they cut off the
         // others.
         const double saddle = patch.constant - patch.alongX * patch.alongY / patch.twist;
         const bool joinsCorner0 = (saddle >= 0) == (v[0] >= 0);
         const unsigned first = joinsCorner0 ? 0 : 3;
-        appendArc(patch, {met[first], met[(first + 1) % 4]}, cell, 0, pieces);
-        appendArc(patch, {met[(first + 2) % 4], met[(first + 3) % 4]}, cell, 0, pieces);
+        appendArc(patch, {met[first], met[(first + 1) % 4]}, 0, sink);
+        appendArc(patch, {met[(first + 2) % 4], met[(first + 3) % 4]}, 0, sink);
     }
 }
 
 // Nearest filtering: texel squares meet at the cell's middle, along half lines between texels of unlike side.
-void appendNearest(const std::array<bool, 4>& opaque, int32_t cell, std::vector<OutlinePiece>& pieces) {
+void appendNearest(const std::array<bool, 4>& opaque, const PieceSink& sink) {
     for (unsigned k = 0; k < 4; ++k) {
         if (opaque[k] == opaque[(k + 1) % 4]) continue;
         const Point& p = cornerAt[k];
         const Point& q = cornerAt[(k + 1) % 4];
-        pieces.push_back(
-            {cell, static_cast<float>((p.x + q.x) / 2), static_cast<float>((p.y + q.y) / 2), 0.5f, 0.5f, 0});
+        sink.push({{(p.x + q.x) / 2, (p.y + q.y) / 2}, {0.5, 0.5}}, 0);
     }
 }
 
@@ -213,18 +229,15 @@ Outline::Outline(const AlphaTexture& texture, Filter filter, const Threshold& th
 
 void Outline::build() {
     rowBuckets_ = static_cast<size_t>((axisX_.cells + bucketCells - 1) / bucketCells);
-    bucketStart_.reserve(static_cast<size_t>(axisY_.cells) * rowBuckets_ + 1);
     columns_.resize(static_cast<size_t>(axisX_.cells) + 1);
     for (int64_t x = 0; x <= axisX_.cells; ++x) {
         columns_[static_cast<size_t>(x)] = wrapTexel(axisX_.representative(x), axisX_.size, axisX_.wrap);
     }
-    std::vector<uint64_t> low = opaqueBits(axisY_.representative(0));
-    for (int64_t y = 0; y < axisY_.cells; ++y) {
-        std::vector<uint64_t> high = opaqueBits(axisY_.representative(y) + 1);
-        buildRow(y, low, high);
-        low = std::move(high);
-    }
-    bucketStart_.push_back(static_cast<uint32_t>(pieces_.size()));
+    for (int64_t y = 0; y < axisY_.cells; y += bandRows) buildBand(y);
+    const size_t count = pieces_.cell.size();
+    bucketStart_.push_back(static_cast<uint32_t>(count));
+    const auto pad = [&](auto&... field) { (field.resize(count + padding), ...); };
+    pad(pieces_.cell, pieces_.row, pieces_.x0, pieces_.y0, pieces_.x1, pieces_.y1, pieces_.bulge);
 }
 
 const uint16_t* Outline::texelRow(int64_t row) const {
@@ -244,41 +257,49 @@ std::vector<uint64_t> Outline::opaqueBits(int64_t row) const {
     return bits;
 }
 
-void Outline::buildRow(int64_t y, const std::vector<uint64_t>& low, const std::vector<uint64_t>& high) {
-    const int64_t row = axisY_.representative(y);
-    const uint16_t* lowTexels = texelRow(row);
-    const uint16_t* highTexels = texelRow(row + 1);
+void Outline::buildBand(int64_t firstRow) {
+    const int64_t rows = std::min(bandRows, axisY_.cells - firstRow);
+    std::array<std::vector<uint64_t>, bandRows + 1> opaque;
+    for (int64_t r = 0; r < rows; ++r) opaque[r] = opaqueBits(axisY_.representative(firstRow + r));
+    opaque[rows] = opaqueBits(axisY_.representative(firstRow + rows - 1) + 1);
     for (size_t bucket = 0; bucket < rowBuckets_; ++bucket) {
-        bucketStart_.push_back(static_cast<uint32_t>(pieces_.size()));
+        bucketStart_.push_back(static_cast<uint32_t>(pieces_.cell.size()));
         const size_t first = bucket * bucketCells;
-        const size_t end = std::min<size_t>(first + bucketCells, static_cast<size_t>(axisX_.cells));
-        const uint64_t lowBits =
-            (low[first / 64] >> (first % 64)) | (low[first / 64 + 1] << 1 << (63 - first % 64));
-        const uint64_t highBits =
-            (high[first / 64] >> (first % 64)) | (high[first / 64 + 1] << 1 << (63 - first % 64));
-        const uint64_t any = lowBits | (lowBits >> 1) | highBits | (highBits >> 1);
-        const uint64_t all = lowBits & (lowBits >> 1) & highBits & (highBits >> 1);
-        uint64_t crossed = any & ~all & ((uint64_t{1} << (end - first)) - 1);
-        for (; crossed != 0; crossed &= crossed - 1) {
-            const size_t x = first + static_cast<size_t>(std::countr_zero(crossed));
-            const uint32_t left = columns_[x];
-            const uint32_t right = columns_[x + 1];
-            appendPieces({lowTexels[left], lowTexels[right], highTexels[right], highTexels[left]},
-                         static_cast<int32_t>(x));
+        const size_t cells = std::min<size_t>(bucketCells, static_cast<size_t>(axisX_.cells) - first);
+        const auto bits = [&](int64_t r) {
+            const std::vector<uint64_t>& row = opaque[static_cast<size_t>(r)];
+            return (row[first / 64] >> (first % 64)) | (row[first / 64 + 1] << 1 << (63 - first % 64));
+        };
+        uint64_t low = bits(0);
+        for (int64_t r = 0; r < rows; ++r) {
+            const uint64_t high = bits(r + 1);
+            const uint64_t any = low | (low >> 1) | high | (high >> 1);
+            const uint64_t all = low & (low >> 1) & high & (high >> 1);
+            uint64_t crossed = any & ~all & ((uint64_t{1} << cells) - 1);
+            for (; crossed != 0; crossed &= crossed - 1) {
+                appendCell(first + static_cast<size_t>(std::countr_zero(crossed)), firstRow + r);
+            }
+            low = high;
         }
     }
 }
 
-void Outline::appendPieces(const std::array<uint16_t, 4>& t, int32_t cell) {
+void Outline::appendCell(size_t column, int64_t row) {
+    const uint16_t* low = texelRow(axisY_.representative(row));
+    const uint16_t* high = texelRow(axisY_.representative(row) + 1);
+    const uint32_t left = columns_[column];
+    const uint32_t right = columns_[column + 1];
+    const std::array<uint16_t, 4> t{low[left], low[right], high[right], high[left]};
+    const PieceSink sink{pieces_, static_cast<int32_t>(column), static_cast<int32_t>(row)};
     if (filter_ == Filter::nearest) {
         std::array<bool, 4> opaque{};
         for (size_t k = 0; k < 4; ++k) opaque[k] = t[k] >= threshold_.lowestOpaque;
-        appendNearest(opaque, cell, pieces_);
-        return;
+        appendNearest(opaque, sink);
+    } else {
+        const double value = threshold_.value;
+        appendBilinear(Patch::of(t[0], t[1], t[3], t[2], value),
+                       {t[0] - value, t[1] - value, t[2] - value, t[3] - value}, sink);
     }
-    const std::array<double, 4> v{t[0] - threshold_.value, t[1] - threshold_.value, t[2] - threshold_.value,
-                                  t[3] - threshold_.value};
-    appendBilinear(Patch::of(t[0], t[1], t[3], t[2], threshold_.value), v, cell, pieces_);
 }
 
 std::optional<std::array<OutlinePiece, 2>> Outline::split(const OutlinePiece& piece,
@@ -292,7 +313,7 @@ std::optional<std::array<OutlinePiece, 2>> Outline::split(const OutlinePiece& pi
     }
     const auto half = [&](const Arc& part) {
         const bool bent = filter_ == Filter::linear && patch.twist != 0;
-        return pieceOf(part, piece.cell, bent ? bulgeOf(part, middleOf(patch, part)) : 0);
+        return pieceOf(part, piece.cell, piece.row, bent ? bulgeOf(part, middleOf(patch, part)) : 0);
     };
     return std::array{half({arc.from, middle}), half({middle, arc.to})};
 }
@@ -306,18 +327,22 @@ Outline::Side Outline::sideAt(double x, double y) const {
     const double low = std::floor(y);
     const auto cellX = static_cast<int64_t>(left);
     const auto cellY = static_cast<int64_t>(low);
-    const bool opaque = texelIsOpaque(cellX, cellY);
-    const bool oneSide = texelIsOpaque(cellX + 1, cellY) == opaque &&
-                         texelIsOpaque(cellX, cellY + 1) == opaque &&
-                         texelIsOpaque(cellX + 1, cellY + 1) == opaque;
-    if (oneSide) return {opaque, 1};
-    const double value = patch(cellX, cellY).at(PatchPoint<double>{x - left, y - low});
+    const auto column = static_cast<size_t>(axisX_.canonical(cellX));
+    const uint16_t* lowRow = texelRow(cellY);
+    const uint16_t* highRow = texelRow(cellY + 1);
+    const std::array<uint16_t, 4> t{lowRow[columns_[column]], lowRow[columns_[column + 1]],
+                                    highRow[columns_[column]], highRow[columns_[column + 1]]};
+    const auto isOpaque = [&](uint16_t texel) { return texel >= threshold_.lowestOpaque; };
+    const bool opaque = isOpaque(t[0]);
+    if (isOpaque(t[1]) == opaque && isOpaque(t[2]) == opaque && isOpaque(t[3]) == opaque) return {opaque, 1};
+    const double value =
+        Patch::of(t[0], t[1], t[2], t[3], threshold_.value).at(PatchPoint<double>{x - left, y - low});
     return {value >= 0, std::fabs(value) / 65535};
 }
 
 size_t Outline::memoryBytes() const {
     return (columns_.capacity() + bucketStart_.capacity()) * sizeof(uint32_t) +
-           pieces_.capacity() * sizeof(OutlinePiece);
+           pieces_.cell.capacity() * sizeof(OutlinePiece);
 }
 
 }  // namespace filigree::image

@@ -39,7 +39,8 @@ Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t step
 // A piece of the outline in one cell: the true curve from (x0, y0) to (x1, y1), relative to the cell, stays
 // within `bulge` of the straight segment. Both ends lie on the outline within 1e-6.
 struct OutlinePiece {
-    int32_t cell = 0;  // canonical cell on its row, see Outline::Axis
+    int32_t cell = 0;  // canonical column and row of its cell, see Outline::Axis
+    int32_t row = 0;
     float x0 = 0;
     float y0 = 0;
     float x1 = 0;
@@ -61,15 +62,18 @@ class Outline {
         Axis() = default;
         Axis(uint32_t texels, Wrap mode);
 
+        [[nodiscard]] bool clamps() const { return wrap == Wrap::clampToEdge; }
+
         // The distinct cell that `cell` is a copy of, 0..cells-1.
         [[nodiscard]] int64_t canonical(int64_t cell) const {
-            if (wrap == Wrap::clampToEdge) return cell < -1 ? 0 : cell >= size ? size : cell + 1;
+            if (clamps()) return cell < -1 ? 0 : cell >= size ? size : cell + 1;
+            if (cell >= 0 && cell < cells) return cell;
             const int64_t in = cell % cells;
             return in < 0 ? in + cells : in;
         }
         // An unwrapped cell with that canonical number.
         [[nodiscard]] int64_t representative(int64_t canonicalCell) const {
-            return wrap == Wrap::clampToEdge ? canonicalCell - 1 : canonicalCell;
+            return clamps() ? canonicalCell - 1 : canonicalCell;
         }
     };
 
@@ -80,7 +84,7 @@ class Outline {
     [[nodiscard]] const Threshold& threshold() const { return threshold_; }
 
     // True when no cell is crossed: the whole plane is one side.
-    [[nodiscard]] bool empty() const { return pieces_.empty(); }
+    [[nodiscard]] bool empty() const { return bucketStart_.back() == 0; }
 
     // The texel at unwrapped integer coordinates.
     [[nodiscard]] uint16_t texel(int64_t x, int64_t y) const {
@@ -97,14 +101,57 @@ class Outline {
                          threshold_.value);
     }
 
-    // Calls visit(offset, pieces) for the pieces in the unwrapped cells [first, last] of row `row`; a piece
-    // lies in cell offset + piece.cell. Stops early and returns false when visit returns false.
-    template <class Visit>
-    bool forEachPiece(int64_t row, int64_t first, int64_t last, Visit&& visit) const;
+    // A block of unwrapped cells, both ends included.
+    struct Cells {
+        int64_t firstRow = 0;
+        int64_t lastRow = 0;
+        int64_t firstColumn = 0;
+        int64_t lastColumn = 0;
+    };
 
-    // True when any of the unwrapped cells [first, last] of row `row` is crossed.
-    [[nodiscard]] bool crosses(int64_t row, int64_t first, int64_t last) const {
-        return !forEachPiece(row, first, last, [](int64_t, std::span<const OutlinePiece>) { return false; });
+    // A run of pieces and where it lies: piece k of [first, end) is in the unwrapped cell (column + cell, row
+    // + row) of its own canonical cell and row.
+    struct Run {
+        size_t first = 0;
+        size_t end = 0;
+        int64_t column = 0;
+        int64_t row = 0;
+    };
+
+    // The last of the rows from `row` on that forEachRun() serves as cheaply as `row` alone: pieces are kept
+    // in bands.
+    [[nodiscard]] int64_t bandEnd(int64_t row) const {
+        if (axisY_.clamps() && (row < -1 || row >= axisY_.size)) return row;
+        const int64_t y = axisY_.canonical(row);
+        return row + std::min(bandRows - 1 - y % bandRows, axisY_.cells - 1 - y);
+    }
+
+    // Calls visit(run) for the pieces in `cells`, whose rows must lie in one band; a run may hold a few
+    // neighbours more. Stops early and returns false when visit returns false.
+    template <class Visit>
+    bool forEachRun(const Cells& cells, Visit&& visit) const;
+
+    // True when any of `cells`, whose rows must lie in one band, is crossed; may be true for a crossing next
+    // to them.
+    [[nodiscard]] bool crosses(const Cells& cells) const {
+        return !forEachRun(cells, [](const Run&) { return false; });
+    }
+
+    // The pieces, each field on its own, with `padding` more entries that hold no piece.
+    struct PieceArrays {
+        std::vector<int32_t> cell;
+        std::vector<int32_t> row;
+        std::vector<float> x0;
+        std::vector<float> y0;
+        std::vector<float> x1;
+        std::vector<float> y1;
+        std::vector<float> bulge;
+    };
+    static constexpr size_t padding = 16;
+    [[nodiscard]] const PieceArrays& pieceArrays() const { return pieces_; }
+    [[nodiscard]] OutlinePiece piece(size_t k) const {
+        return {pieces_.cell[k], pieces_.row[k], pieces_.x0[k],   pieces_.y0[k],
+                pieces_.x1[k],   pieces_.y1[k],  pieces_.bulge[k]};
     }
 
     // The halves of a piece of a cell with that patch, or none where it cannot be split with certainty.
@@ -122,25 +169,21 @@ class Outline {
     [[nodiscard]] size_t memoryBytes() const;
 
   private:
-    static constexpr int64_t bucketCells = 8;
+    static constexpr int64_t bandRows = 4;     // pieces are kept by band of rows,
+    static constexpr int64_t bucketCells = 8;  // in a band by bucket of columns, in a bucket by row
 
     void build();
-    void buildRow(int64_t y, const std::vector<uint64_t>& low, const std::vector<uint64_t>& high);
-    void appendPieces(const std::array<uint16_t, 4>& corners, int32_t cell);
+    void buildBand(int64_t firstRow);
+    void appendCell(size_t column, int64_t row);
     [[nodiscard]] const uint16_t* texelRow(int64_t row) const;
     // The side of each texel of an unwrapped row in the order of the canonical cells.
     [[nodiscard]] std::vector<uint64_t> opaqueBits(int64_t row) const;
 
-    // The pieces of canonical cells [first, last] of canonical row `row`.
-    [[nodiscard]] std::span<const OutlinePiece> pieces(int64_t row, int64_t first, int64_t last) const {
-        const uint32_t* buckets = &bucketStart_[static_cast<size_t>(row) * rowBuckets_];
-        const OutlinePiece* from = pieces_.data() + buckets[first / bucketCells];
-        const OutlinePiece* to = pieces_.data() + buckets[last / bucketCells + 1];
-        while (from < to && from->cell < first) ++from;
-        while (from < to && to[-1].cell > last) --to;
-        return {from, to};
+    // The pieces of the buckets that hold the canonical cells [first, last] of canonical row `row`'s band.
+    [[nodiscard]] Run run(int64_t row, int64_t first, int64_t last) const {
+        const uint32_t* buckets = &bucketStart_[static_cast<size_t>(row / bandRows) * rowBuckets_];
+        return {buckets[first / bucketCells], buckets[last / bucketCells + 1], 0, 0};
     }
-
     const AlphaTexture* texture_;
     Filter filter_;
     Threshold threshold_;
@@ -148,48 +191,54 @@ class Outline {
     Axis axisY_;
     std::vector<uint32_t> columns_;  // texel column of each canonical cell's left side, [axisX_.cells + 1]
     size_t rowBuckets_ = 0;
-    std::vector<uint32_t>
-        bucketStart_;  // where the pieces of each 8 cells begin, [axisY_.cells * rowBuckets_ + 1]
-    std::vector<OutlinePiece> pieces_;  // by row, then cell
+    std::vector<uint32_t> bucketStart_;  // where each bucket's pieces begin, [bands * rowBuckets_ + 1]
+    PieceArrays pieces_;
 };
 
 template <class Visit>
-bool Outline::forEachPiece(int64_t row, int64_t first, int64_t last, Visit&& visit) const {
-    const int64_t y = axisY_.canonical(row);
-    if (axisX_.wrap == Wrap::clampToEdge) {
-        // Cells beyond the border copy the border's, one by one.
-        const auto copies = [&](int64_t from, int64_t to, int64_t canonical) {
-            const auto copied =
-                from <= to ? pieces(y, canonical, canonical) : std::span<const OutlinePiece>{};
-            if (copied.empty()) return true;
-            for (int64_t x = from; x <= to; ++x) {
-                if (!visit(x - canonical, copied)) return false;
-            }
-            return true;
-        };
-        const int64_t low = -1;
-        const int64_t high = axisX_.size - 1;
-        if (!copies(first, std::min(last, low - 1), 0)) return false;
-        const int64_t from = std::max(first, low);
-        const int64_t to = std::min(last, high);
-        if (from <= to) {
-            const auto found = pieces(y, from + 1, to + 1);
-            if (!found.empty() && !visit(int64_t{-1}, found)) return false;
+bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
+    const int64_t y = axisY_.canonical(cells.firstRow);
+    const int64_t rowShift = cells.firstRow - y;
+    const bool copiedRow = axisY_.clamps() && (cells.firstRow < -1 || cells.firstRow >= axisY_.size);
+    // Beyond a clamped border every cell is a copy of the border's, which has to be picked out of its bucket.
+    const auto pick = [&](int64_t column, bool anyColumn, const Run& from, int64_t columnShift) {
+        for (size_t k = from.first; k < from.end; ++k) {
+            if (!anyColumn && pieces_.cell[k] != column) continue;
+            if (copiedRow && pieces_.row[k] != y) continue;
+            if (!visit(Run{k, k + 1, columnShift, rowShift})) return false;
         }
-        return copies(std::max(first, high + 1), last, axisX_.cells - 1);
-    }
-    for (int64_t x = first; x <= last;) {
-        const int64_t canonical = axisX_.canonical(x);
-        const int64_t count = std::min(last - x + 1, axisX_.cells - canonical);
-        const auto found = pieces(y, canonical, canonical + count - 1);
-        if (!found.empty()) {
-            if (!visit(x - canonical, found)) return false;
-        } else if (count == axisX_.cells) {
-            return true;  // A whole period without an outline.
+        return true;
+    };
+    const auto within = [&](int64_t first, int64_t last, int64_t columnShift) {
+        const Run found = run(y, first, last);
+        if (found.first == found.end) return true;
+        if (copiedRow) return pick(0, true, found, columnShift);
+        return visit(Run{found.first, found.end, columnShift, rowShift});
+    };
+    if (!axisX_.clamps()) {
+        for (int64_t x = cells.firstColumn; x <= cells.lastColumn;) {
+            const int64_t canonical = axisX_.canonical(x);
+            const int64_t count = std::min(cells.lastColumn - x + 1, axisX_.cells - canonical);
+            if (!within(canonical, canonical + count - 1, x - canonical)) return false;
+            const bool bare = count == axisX_.cells && run(y, 0, count - 1).first == run(y, 0, count - 1).end;
+            if (bare) return true;  // A whole period without an outline.
+            x += count;
         }
-        x += count;
+        return true;
     }
-    return true;
+    const int64_t border = axisX_.size;
+    const auto copies = [&](int64_t first, int64_t last, int64_t column) {
+        const Run from = run(y, column, column);
+        for (int64_t x = first; x <= last && from.first < from.end; ++x) {
+            if (!pick(column, false, from, x - column)) return false;
+        }
+        return true;
+    };
+    if (!copies(cells.firstColumn, std::min<int64_t>(cells.lastColumn, -2), 0)) return false;
+    const int64_t first = std::max<int64_t>(cells.firstColumn, -1);
+    const int64_t last = std::min(cells.lastColumn, border - 1);
+    if (first <= last && !within(first + 1, last + 1, -1)) return false;
+    return copies(std::max(cells.firstColumn, border), cells.lastColumn, axisX_.cells - 1);
 }
 
 }  // namespace filigree::image

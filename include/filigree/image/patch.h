@@ -25,6 +25,13 @@ template <class Real>
 class PatchPolygon {
   public:
     static constexpr size_t capacity = 24;
+    PatchPolygon() = default;
+    PatchPolygon(const PatchPolygon& other) { *this = other; }
+    PatchPolygon& operator=(const PatchPolygon& other) {
+        size_ = other.size_;
+        std::copy_n(other.points_.begin(), size_, points_.begin());
+        return *this;
+    }
     void push(const PatchPoint<Real>& p) {
         assert(size_ < capacity);
         points_[size_++] = p;
@@ -93,27 +100,31 @@ inline bool isNotNegative(double v) {
 
 namespace detail {
 
-// Keeps the part of `polygon` where distance(p) >= 0 (Sutherland and Hodgman 1974), with what rounding cannot
-// tell.
+// Cuts away the part of `polygon` where distance(p) < 0 (Sutherland and Hodgman 1974), but not what rounding
+// cannot tell.
 template <class Real, class Distance>
-PatchPolygon<Real> cut(const PatchPolygon<Real>& polygon, double slack, Distance&& distance) {
-    PatchPolygon<Real> kept;
+void cut(PatchPolygon<Real>& polygon, double slack, Distance&& distance) {
     const size_t n = polygon.size();
+    std::array<bool, PatchPolygon<Real>::capacity> keep;
+    size_t kept = 0;
     for (size_t k = 0; k < n; ++k) {
-        const PatchPoint<Real>& p = polygon[k];
-        const PatchPoint<Real>& q = polygon[k + 1 < n ? k + 1 : 0];
-        const Real dp = distance(p);
-        const Real dq = distance(q);
-        const bool keepP = mayBeNotNegative(dp, slack);
-        const bool keepQ = mayBeNotNegative(dq, slack);
-        if (keepP) kept.push(p);
-        if (keepP != keepQ) {
-            // The kept end may lie outside within rounding; then it is itself the crossing.
-            const Real t = dp / (dp - dq);
-            kept.push({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
-        }
+        keep[k] = mayBeNotNegative(distance(polygon[k]), slack);
+        kept += keep[k] ? 1 : 0;
     }
-    return kept;
+    if (kept == n) return;
+    PatchPolygon<Real> inside;
+    for (size_t k = 0; k < n && kept > 0; ++k) {
+        const size_t next = k + 1 < n ? k + 1 : 0;
+        const PatchPoint<Real>& p = polygon[k];
+        if (keep[k]) inside.push(p);
+        if (keep[k] == keep[next]) continue;
+        // The kept end may lie outside within rounding; then it is itself the crossing.
+        const PatchPoint<Real>& q = polygon[next];
+        const Real dp = distance(p);
+        const Real t = dp / (dp - distance(q));
+        inside.push({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+    }
+    polygon = inside;
 }
 
 // Adds what the patch takes between p and q: along a segment it is a parabola, whose turning point may lie
@@ -141,10 +152,12 @@ template <class Real>
 PatchPolygon<Real> clipped(const PatchPolygon<Real>& polygon, double x0, double x1, double y0, double y1,
                            double slack = 0) {
     using Point = PatchPoint<Real>;
-    PatchPolygon<Real> inside = detail::cut(polygon, slack, [&](const Point& p) { return p.x - Real(x0); });
-    inside = detail::cut(inside, slack, [&](const Point& p) { return Real(x1) - p.x; });
-    inside = detail::cut(inside, slack, [&](const Point& p) { return p.y - Real(y0); });
-    return detail::cut(inside, slack, [&](const Point& p) { return Real(y1) - p.y; });
+    PatchPolygon<Real> inside = polygon;
+    detail::cut(inside, slack, [&](const Point& p) { return p.x - Real(x0); });
+    detail::cut(inside, slack, [&](const Point& p) { return Real(x1) - p.x; });
+    detail::cut(inside, slack, [&](const Point& p) { return p.y - Real(y0); });
+    detail::cut(inside, slack, [&](const Point& p) { return Real(y1) - p.y; });
+    return inside;
 }
 
 // The values that `patch` takes on the part of a convex `polygon` inside the cell; empty where they do not

@@ -22,7 +22,7 @@ struct ValidateOptions {
 };
 
 struct DeepSummary {
-    uint64_t microTriangles = 0;  // examined
+    uint64_t microTriangles = 0;  // examined; triangles that are alike count once
     uint64_t wrong = 0;           // known, but not true throughout
     uint64_t overCautious = 0;    // unknown, though one side throughout
     uint64_t uncertain = 0;       // closer to the cutoff than the arithmetic can tell; in neither count
