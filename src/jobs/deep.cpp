@@ -6,7 +6,9 @@
 #include "jobs/one_stage.h"
 
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <bit>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -76,48 +78,73 @@ std::string describe(const verify::Finding& finding, uint64_t triangle) {
                        truths[static_cast<size_t>(finding.truth)]);
 }
 
-void addFindings(const std::vector<scene::Primitive*>& primitives,
-                 const std::vector<verify::Finding>& findings, ValidateSummary& summary) {
+// The triangles of a group, each kind once: triangles with equal texture coordinates, vertex alpha and
+// micromap are equally true.
+struct Work {
+    struct Place {
+        const scene::Primitive* primitive;
+        size_t triangle;
+    };
+    std::vector<mesh::UvTriangle> triangles;
+    std::vector<int32_t> indices;  // of their micromaps
+    std::vector<Place> places;     // where each stands first
+};
+
+Work distinctTriangles(const AlphaGroup& group) {
+    Work work;
+    std::set<std::array<uint32_t, 10>> seen;
+    for (const auto* primitive : group.primitives) {
+        for (size_t t = 0; t < primitive->triangleCount(); ++t) {
+            const auto triangle = primitive->uvTriangle(t);
+            const int32_t index = primitive->micromapIndices[t];
+            std::array<uint32_t, 10> bits{static_cast<uint32_t>(index)};
+            for (size_t k = 0; k < 3; ++k) {
+                bits[3 * k + 1] = std::bit_cast<uint32_t>(triangle.uv[k].u);
+                bits[3 * k + 2] = std::bit_cast<uint32_t>(triangle.uv[k].v);
+                bits[3 * k + 3] = std::bit_cast<uint32_t>(triangle.alpha[k]);
+            }
+            if (!seen.insert(bits).second) continue;
+            work.triangles.push_back(triangle);
+            work.indices.push_back(index);
+            work.places.push_back({primitive, t});
+        }
+    }
+    return work;
+}
+
+uint64_t microTriangles(const Work& work, const micromap::FlatSet& set) {
+    uint64_t count = 0;
+    for (const int32_t index : work.indices) {
+        count += index < 0 ? 1 : micromap::microTriangleCount(set.records[static_cast<size_t>(index)].level);
+    }
+    return count;
+}
+
+void addFindings(const Work& work, const std::vector<verify::Finding>& findings, ValidateSummary& summary) {
     for (const auto& finding : findings) {
-        uint64_t triangle = finding.triangle;
-        auto primitive = primitives.begin();
-        while (triangle >= (*primitive)->triangleCount()) triangle -= (*primitive++)->triangleCount();
+        const auto& [primitive, triangle] = work.places[finding.triangle];
         summary.breaches.push_back(
-            {fmt::format("/meshes/{}/primitives/{}", (*primitive)->meshIndex, (*primitive)->primitiveIndex),
+            {fmt::format("/meshes/{}/primitives/{}", primitive->meshIndex, primitive->primitiveIndex),
              "a known state is true throughout", describe(finding, triangle)});
     }
 }
 
-Status examine(scene::Scene& scene, const DeepGroup& group, double sample, const Executor& executor,
-               ProgressSink& progress, ValidateSummary& summary) {
+Status examine(scene::Scene& scene, const DeepGroup& group, Work work, double sample,
+               const Executor& executor, ProgressSink& progress, ValidateSummary& summary) {
     auto& set = scene.micromaps[static_cast<size_t>(group.micromaps)].set;
     const auto texture = textureOf(scene, group.alpha.source);
     const auto test = testFor(group.alpha.source, texture);
-    for (const auto* primitive : group.alpha.primitives) {
-        set.indices.insert(set.indices.end(), primitive->micromapIndices.begin(),
-                           primitive->micromapIndices.end());
-    }
-    const auto counts = verify::deepCheck(trianglesOf(group.alpha.primitives), set, texture, test,
-                                          {sample, 1}, executor, progress);
+    set.indices = std::move(work.indices);
+    const auto counts =
+        verify::deepCheck(work.triangles, set, texture, test, {sample, 1}, executor, progress);
     set.indices.clear();
     if (!counts) return counts.error().within(nameOf(scene, group.alpha.source));
     summary.deep->microTriangles += counts->microTriangles;
     summary.deep->wrong += counts->wrong;
     summary.deep->overCautious += counts->overCautious;
     summary.deep->uncertain += counts->uncertain;
-    addFindings(group.alpha.primitives, counts->first, summary);
+    addFindings(work, counts->first, summary);
     return {};
-}
-
-uint64_t microTriangles(const scene::Scene& scene, const DeepGroup& group) {
-    const auto& records = scene.micromaps[static_cast<size_t>(group.micromaps)].set.records;
-    uint64_t count = 0;
-    for (const auto* primitive : group.alpha.primitives) {
-        for (const int32_t index : primitive->micromapIndices) {
-            count += index < 0 ? 1 : micromap::microTriangleCount(records[static_cast<size_t>(index)].level);
-        }
-    }
-    return count;
 }
 
 }  // namespace
@@ -127,12 +154,16 @@ Status validateDeep(scene::Scene& scene, double sample, const Executor& executor
     summary.deep.emplace();
     noteParameters(scene, summary);
     const auto groups = gatherGroups(scene, summary);
+    std::vector<Work> works;
     uint64_t total = 0;
-    for (const auto& group : groups) total += microTriangles(scene, group);
-    OneStage stage(progress, "examine", total, "micro-triangles");
     for (const auto& group : groups) {
-        if (auto examined = examine(scene, group, sample, executor, stage, summary); !examined)
-            return examined;
+        works.push_back(distinctTriangles(group.alpha));
+        total += microTriangles(works.back(), scene.micromaps[static_cast<size_t>(group.micromaps)].set);
+    }
+    OneStage stage(progress, "examine", total, "micro-triangles");
+    for (size_t g = 0; g < groups.size(); ++g) {
+        auto examined = examine(scene, groups[g], std::move(works[g]), sample, executor, stage, summary);
+        if (!examined) return examined;
     }
     return {};
 }
