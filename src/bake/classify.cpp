@@ -1,5 +1,7 @@
 #include "bake/classify.h"
 
+#include "filigree/micromap/quadtree_writer.h"
+
 #include "bake/majority.h"
 #include "bake/trace.h"
 
@@ -40,23 +42,15 @@ class Classifier {
     // Appends the quadtree of `part`. Returns the state when it is one leaf, else -1.
     int visit(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
         if (part.height > tileLevel || !fitsTile(part)) {
-            if (const int state = uniformState(part); state >= 0) return appendLeaf(part, state, stream);
+            if (const int state = uniformState(part); state >= 0) {
+                return micromap::appendLeaf(stream, part.height, twoState_ ? state & 1 : state);
+            }
             if (part.height > 0) return visitChildren(part, executor, stream);
         }
         return visitTile(part, stream);
     }
 
   private:
-    int appendLeaf(const SubTriangle& part, int state, BitWriter& stream) const {
-        const auto value = static_cast<uint64_t>(twoState_ ? state & 1 : state);
-        if (part.height > 0) {
-            stream.append(value << 1, 3);
-        } else {
-            stream.append(value, 2);
-        }
-        return static_cast<int>(value);
-    }
-
     // The state of a part that is all one, or -1 where it may not be.
     [[nodiscard]] int uniformState(const SubTriangle& part) const {
         for (size_t k = 0; k < placements_.size(); ++k) {
@@ -98,23 +92,21 @@ class Classifier {
     }
 
     int visitChildren(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
-        const size_t mark = stream.size();
-        stream.append(1, 1);
-        std::array<int, 4> states{};
-        if (part.height >= parallelHeight && executor.concurrency() > 1) {
-            std::array<BitWriter, 4> streams;
-            executor.parallelFor(4, 1, [&](size_t begin, size_t end) {
-                for (size_t k = begin; k < end; ++k) {
-                    states[k] = visit(part.child(static_cast<unsigned>(k)), executor, streams[k]);
-                }
-            });
-            for (const BitWriter& child : streams) stream.append(child);
-        } else {
-            for (unsigned k = 0; k < 4; ++k) states[k] = visit(part.child(k), executor, stream);
+        if (part.height < parallelHeight || executor.concurrency() == 1) {
+            return micromap::appendInner(stream, part.height,
+                                         [&](unsigned k) { return visit(part.child(k), executor, stream); });
         }
-        if (states[0] < 0 || std::ranges::count(states, states[0]) != 4) return -1;
-        stream.truncate(mark);
-        return appendLeaf(part, states[0], stream);
+        const size_t start = stream.size();
+        std::array<BitWriter, 4> streams;
+        std::array<int, 4> states{};
+        executor.parallelFor(4, 1, [&](size_t begin, size_t end) {
+            for (size_t k = begin; k < end; ++k) {
+                states[k] = visit(part.child(static_cast<unsigned>(k)), executor, streams[k]);
+            }
+        });
+        stream.append(1, 1);
+        for (const BitWriter& child : streams) stream.append(child);
+        return micromap::endInner(stream, start, part.height, states);
     }
 
     int visitTile(const SubTriangle& part, BitWriter& stream) const {

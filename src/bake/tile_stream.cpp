@@ -1,5 +1,7 @@
 // Tiles as quadtree streams.
 
+#include "filigree/micromap/quadtree_writer.h"
+
 #include "bake/tile.h"
 
 namespace filigree::bake {
@@ -79,14 +81,10 @@ void appendSixteen(const Bits& bits, BitWriter& stream) {
     stream.append(code.bits, code.count);
 }
 
-int appendLeaf(int state, BitWriter& stream) {
-    stream.append(static_cast<uint64_t>(state) << 1, 3);
-    return state;
-}
-
 // Sixty-four micro-triangles: one word of each plane.
 int appendWord(const Bits& bits, BitWriter& stream) {
-    if (const int state = uniformState(bits, ~uint64_t{0}); state >= 0) return appendLeaf(state, stream);
+    if (const int state = uniformState(bits, ~uint64_t{0}); state >= 0)
+        return micromap::appendLeaf(stream, 3, state);
     stream.append(1, 1);
     for (unsigned k = 0; k < 4; ++k) appendSixteen(part(bits, 16 * k, 16), stream);
     return -1;
@@ -96,27 +94,17 @@ int appendWord(const Bits& bits, BitWriter& stream) {
 template <class WordAt>
 int appendNode(size_t word, unsigned height, WordAt&& wordAt, BitWriter& stream) {
     if (height == 3) return appendWord(wordAt(word), stream);
-    const size_t mark = stream.size();
-    stream.append(1, 1);
     const size_t quarter = size_t{1} << (2 * height - 8);
-    std::array<int, 4> states{};
-    for (size_t k = 0; k < 4; ++k) states[k] = appendNode(word + k * quarter, height - 1, wordAt, stream);
-    if (states[0] < 0 || states[1] != states[0] || states[2] != states[0] || states[3] != states[0])
-        return -1;
-    stream.truncate(mark);
-    return appendLeaf(states[0], stream);
+    return micromap::appendInner(stream, height, [&](unsigned k) {
+        return appendNode(word + k * quarter, height - 1, wordAt, stream);
+    });
 }
 
 // Tiles smaller than a word.
 int appendSmall(const Bits& bits, unsigned height, BitWriter& stream) {
     const unsigned count = 1u << (2 * height);
     const int state = uniformState(bits, (uint64_t{1} << count) - 1);
-    if (height == 0) {
-        // A lone micro-triangle is at the finest level, which has no structure bit.
-        stream.append(static_cast<uint64_t>(state), 2);
-        return state;
-    }
-    if (state >= 0) return appendLeaf(state, stream);
+    if (state >= 0) return micromap::appendLeaf(stream, height, state);
     if (height == 2) {
         appendSixteen(bits, stream);
     } else {

@@ -49,7 +49,7 @@ std::optional<Point> middleOf(const Patch& patch, const Arc& arc) {
     }
     const double denominator = across + patch.twist * at;
     if (std::fabs(denominator) <= 1e-9 * (std::fabs(across) + std::fabs(patch.twist))) return std::nullopt;
-    const double other = -(patch.constant + along * at) / denominator;
+    const double other = (patch.threshold - patch.corner - along * at) / denominator;
     const Point middle = alongX ? Point{at, other} : Point{other, at};
     const bool inside =
         isBetween(middle.x, arc.from.x, arc.to.x) && isBetween(middle.y, arc.from.y, arc.to.y);
@@ -137,7 +137,7 @@ void appendBilinear(const Patch& patch, const std::array<double, 4>& v, const Pi
     } else if (count == 4) {
         // A saddle: two arcs. Where the saddle's value joins the corners of corner 0's side, they cut off the
         // others.
-        const double saddle = patch.constant - patch.alongX * patch.alongY / patch.twist;
+        const double saddle = patch.corner - patch.threshold - patch.alongX * patch.alongY / patch.twist;
         const bool joinsCorner0 = (saddle >= 0) == (v[0] >= 0);
         const unsigned first = joinsCorner0 ? 0 : 3;
         appendArc(patch, {met[first], met[(first + 1) % 4]}, 0, sink);

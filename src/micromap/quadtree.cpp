@@ -1,6 +1,6 @@
 #include "filigree/micromap/quadtree.h"
 
-#include "micromap/quadtree_builder.h"
+#include "filigree/micromap/quadtree_writer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -22,16 +22,16 @@ void setBits(std::span<uint8_t> bytes, uint64_t first, uint64_t count, uint8_t p
     }
 }
 
-int treeFromFlat(std::span<const uint8_t> flat, Format format, uint64_t first, unsigned depth, unsigned level,
-                 QuadtreeBuilder& to) {
-    if (depth == level) {
+int treeFromFlat(std::span<const uint8_t> flat, Format format, uint64_t first, unsigned height,
+                 BitWriter& to) {
+    if (height == 0) {
         const unsigned bits = bitsPerState(format);
         const unsigned value = flat[first * bits / 8] >> (first * bits % 8);
-        return to.leaf(depth, static_cast<State>(value & ((1u << bits) - 1)));
+        return appendLeaf(to, 0, static_cast<int>(value & ((1u << bits) - 1)));
     }
-    const uint64_t quarter = microTriangleCount(level - depth - 1);
-    return to.inner(depth, [&](unsigned k) {
-        return treeFromFlat(flat, format, first + k * quarter, depth + 1, level, to);
+    const uint64_t quarter = microTriangleCount(height - 1);
+    return appendInner(to, height, [&](unsigned k) {
+        return treeFromFlat(flat, format, first + k * quarter, height - 1, to);
     });
 }
 
@@ -70,9 +70,9 @@ void writeFlat(const QuadtreeView& tree, Format format, std::span<uint8_t> to) {
 
 Quadtree quadtreeFromFlat(std::span<const uint8_t> flat, unsigned level, Format format) {
     assert(level <= maxLevel && flat.size() >= flatBytes(level, format));
-    QuadtreeBuilder builder(level);
-    treeFromFlat(flat, format, 0, 0, level, builder);
-    return builder.finish();
+    BitWriter stream;
+    treeFromFlat(flat, format, 0, level, stream);
+    return {std::move(stream), level};
 }
 
 StateCounts countStates(const QuadtreeView& tree) {

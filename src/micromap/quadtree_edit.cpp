@@ -1,6 +1,7 @@
 // New quadtrees from old ones: coarser levels and other vertex orders.
 
-#include "micromap/quadtree_builder.h"
+#include "filigree/micromap/quadtree.h"
+#include "filigree/micromap/quadtree_writer.h"
 
 #include <array>
 #include <cassert>
@@ -54,14 +55,15 @@ class NodeTable {
     std::vector<Node> nodes_;
 };
 
-int copyCoarsened(const NodeTable& table, size_t node, unsigned depth, unsigned level, QuadtreeBuilder& to) {
-    if (!table.isInner(node)) return to.leaf(depth, table.state(node));
+int copyCoarsened(const NodeTable& table, size_t node, unsigned depth, unsigned level, BitWriter& to) {
+    if (!table.isInner(node)) return appendLeaf(to, level - depth, static_cast<int>(table.state(node)));
     if (depth == level) {
         const bool opaque = 2 * table.opaqueCount(node, depth) >= microTriangleCount(table.level() - depth);
-        return to.leaf(depth, unknownOf(opaque));
+        return appendLeaf(to, 0, static_cast<int>(unknownOf(opaque)));
     }
-    return to.inner(
-        depth, [&](unsigned k) { return copyCoarsened(table, table.child(node, k), depth + 1, level, to); });
+    return appendInner(to, level - depth, [&](unsigned k) {
+        return copyCoarsened(table, table.child(node, k), depth + 1, level, to);
+    });
 }
 
 // How the children of a triangle move when its vertices take another order: the new child k is the old child
@@ -101,12 +103,12 @@ constexpr ChildMove moveOf(const VertexOrder& order, unsigned child) {
     return {};
 }
 
-int copyPermuted(const NodeTable& table, size_t node, unsigned depth, const VertexOrder& order,
-                 QuadtreeBuilder& to) {
-    if (!table.isInner(node)) return to.leaf(depth, table.state(node));
-    return to.inner(depth, [&](unsigned k) {
+int copyPermuted(const NodeTable& table, size_t node, unsigned height, const VertexOrder& order,
+                 BitWriter& to) {
+    if (!table.isInner(node)) return appendLeaf(to, height, static_cast<int>(table.state(node)));
+    return appendInner(to, height, [&](unsigned k) {
         const ChildMove move = moveOf(order, k);
-        return copyPermuted(table, table.child(node, move.child), depth + 1, move.order, to);
+        return copyPermuted(table, table.child(node, move.child), height - 1, move.order, to);
     });
 }
 
@@ -114,15 +116,15 @@ int copyPermuted(const NodeTable& table, size_t node, unsigned depth, const Vert
 
 Quadtree coarsened(const QuadtreeView& tree, unsigned level) {
     assert(level <= tree.level);
-    QuadtreeBuilder builder(level);
-    copyCoarsened(NodeTable(tree), NodeTable::root, 0, level, builder);
-    return builder.finish();
+    BitWriter stream;
+    copyCoarsened(NodeTable(tree), NodeTable::root, 0, level, stream);
+    return {std::move(stream), level};
 }
 
 Quadtree permuted(const QuadtreeView& tree, const VertexOrder& order) {
-    QuadtreeBuilder builder(tree.level);
-    copyPermuted(NodeTable(tree), NodeTable::root, 0, order, builder);
-    return builder.finish();
+    BitWriter stream;
+    copyPermuted(NodeTable(tree), NodeTable::root, tree.level, order, stream);
+    return {std::move(stream), tree.level};
 }
 
 }  // namespace filigree::micromap

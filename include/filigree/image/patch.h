@@ -44,22 +44,24 @@ class PatchPolygon {
     size_t size_ = 0;
 };
 
-// Bilinear alpha minus a threshold: constant + x * alongX + y * alongY + x * y * twist, in texel units.
+// Bilinear alpha minus a threshold: corner + x * alongX + y * alongY + x * y * twist - threshold, in texel
+// units.
 struct Patch {
-    double constant = 0;
+    double corner = 0;
     double alongX = 0;
     double alongY = 0;
     double twist = 0;
+    double threshold = 0;  // kept apart: subtracted from a texel it could be rounded away
 
-    // From the four corner texels, integers, and a threshold. Exact but for the one subtraction of the
-    // threshold.
+    // From the four corner texels, integers, and a threshold.
     static Patch of(double a00, double a10, double a01, double a11, double threshold) {
-        return {a00 - threshold, a10 - a00, a01 - a00, (a11 - a01) - (a10 - a00)};
+        return {a00, a10 - a00, a01 - a00, (a11 - a01) - (a10 - a00), threshold};
     }
 
     template <class Real>
     [[nodiscard]] Real at(const PatchPoint<Real>& p) const {
-        return (Real(constant) + Real(alongX) * p.x) + p.y * (Real(alongY) + Real(twist) * p.x);
+        return ((Real(corner) + Real(alongX) * p.x) + p.y * (Real(alongY) + Real(twist) * p.x)) -
+               Real(threshold);
     }
 };
 
