@@ -1,4 +1,5 @@
-// Runs a fuzz target over its corpus without libFuzzer: every file as it is, cut short, and with single bits flipped.
+// Runs a fuzz target over its corpus without libFuzzer: every file as it is, cut short, and with single bits
+// flipped.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -47,7 +48,8 @@ size_t replay(Bytes input, size_t most) {
 std::vector<std::filesystem::path> corpus(const char* folder) {
     std::vector<std::filesystem::path> files;
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) files.push_back(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
 }
