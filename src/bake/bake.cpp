@@ -1,12 +1,11 @@
 #include "filigree/bake/bake.h"
 
-#include "bake/classify.h"
 #include "bake/distinct.h"
+#include "bake/fields.h"
 #include "bake/share.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -49,27 +48,97 @@ std::vector<uint8_t> chooseLevels(std::span<const mesh::UvTriangle> triangles,
     return levels;
 }
 
-// The fields of all constant vertex alphas that occur.
-class Fields {
-  public:
-    Fields(const image::AlphaTexture& texture, const image::AlphaTest& test)
-        : chain_(texture, test.mips), test_(test) {}
-
-    void prepare(float vertexAlpha) {
-        if (!fields_.contains(vertexAlpha))
-            fields_.try_emplace(vertexAlpha, chain_.levels(), test_, vertexAlpha);
-    }
-    [[nodiscard]] const Field& of(float vertexAlpha) const { return fields_.at(vertexAlpha); }
-
-  private:
-    MipChain chain_;
-    image::AlphaTest test_;
-    std::map<float, Field> fields_;
-};
-
 // What a chunk of distinct triangles came to.
 struct Chunk {
     micromap::QuadtreeList trees;
+    std::vector<uint64_t> hashes;
+    std::vector<micromap::StateCounts> states;
+};
+
+// One bake's work, stage by stage.
+class Bake {
+  public:
+    Bake(std::span<const mesh::UvTriangle> triangles, const image::AlphaTexture& texture,
+         const image::AlphaTest& test, const Settings& settings)
+        : triangles_(triangles),
+          settings_(settings),
+          levels_(chooseLevels(triangles, texture, settings)),
+          distinct_(findDistinct(triangles, levels_)),
+          fields_(texture, test, triangles) {}
+
+    Status classify(const Executor& executor, ProgressSink& progress) {
+        const size_t count = distinct_.representative.size();
+        chunks_.resize((count + chunkTriangles - 1) / chunkTriangles);
+        progress.begin("bake", count, "triangles");
+        executor.parallelFor(chunks_.size(), 1, [&](size_t begin, size_t end) {
+            BitWriter stream;
+            for (size_t c = begin; c < end && !progress.cancelled(); ++c) {
+                const size_t first = c * chunkTriangles;
+                const size_t last = std::min(count, first + chunkTriangles);
+                for (size_t d = first; d < last; ++d) classifyOne(d, executor, stream, chunks_[c]);
+                progress.advance(last - first);
+            }
+        });
+        progress.end();
+        if (progress.cancelled()) return Error{ErrorKind::cancelled, "the bake was cancelled"};
+        return {};
+    }
+
+    Baked share() && {
+        Sharer sharer(settings_.rotate);
+        std::vector<Shared> shared(distinct_.representative.size());
+        for (size_t d = 0; d < shared.size(); ++d) {
+            const Chunk& chunk = chunks_[d / chunkTriangles];
+            shared[d] = sharer.add(chunk.trees[d % chunkTriangles], chunk.hashes[d % chunkTriangles]);
+        }
+        Baked baked;
+        baked.set.format = settings_.format;
+        baked.set.trees = std::move(sharer).take();
+        baked.set.indices.resize(triangles_.size());
+        if (settings_.rotate) baked.rotations.resize(triangles_.size());
+        for (size_t t = 0; t < triangles_.size(); ++t) {
+            const Shared& found = shared[distinct_.number[t]];
+            baked.set.indices[t] = found.index;
+            if (settings_.rotate) baked.rotations[t] = found.rotation;
+        }
+        baked.statistics = statistics();
+        baked.levels = std::move(levels_);
+        return baked;
+    }
+
+  private:
+    void classifyOne(size_t d, const Executor& executor, BitWriter& stream, Chunk& chunk) const {
+        const uint32_t t = distinct_.representative[d];
+        stream.clear();
+        fields_.classify(triangles_[t], levels_[t], settings_.format == micromap::Format::twoState, executor,
+                         stream);
+        const micromap::QuadtreeView tree{stream.words(), stream.size(), levels_[t]};
+        chunk.trees.push(tree);
+        chunk.hashes.push_back(micromap::hash(tree));
+        chunk.states.push_back(micromap::countStates(tree));
+    }
+
+    [[nodiscard]] Statistics statistics() const {
+        Statistics statistics;
+        statistics.triangles = triangles_.size();
+        statistics.distinctTriangles = distinct_.representative.size();
+        for (size_t t = 0; t < triangles_.size(); ++t) {
+            const uint32_t d = distinct_.number[t];
+            const micromap::StateCounts& states = chunks_[d / chunkTriangles].states[d % chunkTriangles];
+            for (size_t s = 0; s < 4; ++s) statistics.states.of[s] += states.of[s];
+            statistics.microTriangles += states.total();
+            ++statistics.trianglesAt[levels_[t]];
+            if (!mesh::isFinite(triangles_[t])) ++statistics.nonFiniteTriangles;
+        }
+        return statistics;
+    }
+
+    std::span<const mesh::UvTriangle> triangles_;
+    const Settings& settings_;
+    std::vector<uint8_t> levels_;
+    DistinctTriangles distinct_;
+    Fields fields_;
+    std::vector<Chunk> chunks_;
 };
 
 }  // namespace
@@ -92,49 +161,9 @@ Result<Baked> bake(std::span<const mesh::UvTriangle> triangles, const image::Alp
                    const image::AlphaTest& test, const Settings& settings, const Executor& executor,
                    ProgressSink& progress) {
     if (Status status = checkSettings(triangles, test, settings); !status) return status.error();
-    Baked baked;
-    baked.levels = chooseLevels(triangles, texture, settings);
-    const DistinctTriangles distinct = findDistinct(triangles, baked.levels);
-    Fields fields(texture, test);
-    for (const uint32_t t : distinct.representative) fields.prepare(triangles[t].alpha[0]);
-
-    const size_t count = distinct.representative.size();
-    std::vector<Chunk> chunks((count + chunkTriangles - 1) / chunkTriangles);
-    progress.begin("bake", count, "triangles");
-    executor.parallelFor(chunks.size(), 1, [&](size_t begin, size_t end) {
-        BitWriter stream;
-        for (size_t c = begin; c < end && !progress.cancelled(); ++c) {
-            const size_t first = c * chunkTriangles;
-            const size_t last = std::min(count, first + chunkTriangles);
-            for (size_t d = first; d < last; ++d) {
-                const uint32_t t = distinct.representative[d];
-                stream.clear();
-                if (isPlaceable(triangles[t], texture.image.width, texture.image.height)) {
-                    classify(triangles[t], fields.of(triangles[t].alpha[0]), baked.levels[t],
-                             settings.format == micromap::Format::twoState, executor, stream);
-                } else {
-                    stream.append(baked.levels[t] > 0 ? 6 : 3, baked.levels[t] > 0 ? 3 : 2);
-                }
-                chunks[c].trees.push({stream.words(), stream.size(), baked.levels[t]});
-            }
-            progress.advance(last - first);
-        }
-    });
-    progress.end();
-    if (progress.cancelled()) return Error{ErrorKind::cancelled, "the bake was cancelled"};
-
-    Sharer sharer;
-    std::vector<int32_t> index(count);
-    for (size_t d = 0; d < count; ++d) {
-        index[d] = sharer.add(chunks[d / chunkTriangles].trees[d % chunkTriangles]);
-    }
-    baked.set.format = settings.format;
-    baked.set.trees = std::move(sharer).take();
-    baked.set.indices.resize(triangles.size());
-    for (size_t t = 0; t < triangles.size(); ++t) baked.set.indices[t] = index[distinct.number[t]];
-    baked.statistics.triangles = triangles.size();
-    baked.statistics.distinctTriangles = count;
-    return baked;
+    Bake work(triangles, texture, test, settings);
+    if (Status status = work.classify(executor, progress); !status) return status.error();
+    return std::move(work).share();
 }
 
 }  // namespace filigree::bake

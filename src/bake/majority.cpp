@@ -11,17 +11,11 @@ namespace {
 constexpr unsigned leastDepth = 2;
 constexpr unsigned mostDepth = 6;
 
-// Where a part's centroid lies between a triangle's first corner (0, 0) and the others, (1, 0) and (0, 1).
-struct Centroid {
-    double i = 0;
-    double j = 0;
-};
-
-std::vector<Centroid> makeCentroids(unsigned levels) {
-    std::vector<Centroid> centroids;
+std::vector<SideRule::Centroid> makeCentroids(unsigned levels) {
+    std::vector<SideRule::Centroid> centroids;
     const double third = 1.0 / (3.0 * static_cast<double>(1u << levels));
     for (uint32_t k = 0; k < micromap::microTriangleCount(levels); ++k) {
-        Centroid sum;
+        SideRule::Centroid sum;
         for (const micromap::LatticePoint c : micromap::corners(micromap::latticeTriangle(k, levels))) {
             sum.i += c.i * third;
             sum.j += c.j * third;
@@ -31,13 +25,13 @@ std::vector<Centroid> makeCentroids(unsigned levels) {
     return centroids;
 }
 
-const std::vector<Centroid>& centroidsOf(unsigned levels) {
+}  // namespace
+
+const std::vector<SideRule::Centroid>& SideRule::centroids(unsigned depth) {
     static const std::array<std::vector<Centroid>, mostDepth - leastDepth + 1> all{
         makeCentroids(2), makeCentroids(3), makeCentroids(4), makeCentroids(5), makeCentroids(6)};
-    return all[levels - leastDepth];
+    return all[depth - leastDepth];
 }
-
-}  // namespace
 
 unsigned SideRule::depth(double squareTexels) {
     unsigned depth = leastDepth;
@@ -55,10 +49,10 @@ SideRule::SideRule(const SubTriangle& part, const Placement& placement, const im
     const double vx = q.x - origin.x;
     const double vy = q.y - origin.y;
     const unsigned levels = depth(std::fabs(ux * vy - uy * vx) / 2);
-    const std::vector<Centroid>& centroids = centroidsOf(levels);
-    offsetX_.reserve(centroids.size());
-    offsetY_.reserve(centroids.size());
-    for (const Centroid& c : centroids) {
+    const std::vector<Centroid>& all = centroids(levels);
+    offsetX_.reserve(all.size());
+    offsetY_.reserve(all.size());
+    for (const Centroid& c : all) {
         offsetX_.push_back(static_cast<float>(c.i * ux + c.j * vx));
         offsetY_.push_back(static_cast<float>(c.i * uy + c.j * vy));
     }

@@ -18,6 +18,15 @@ class SideRule {
 
     [[nodiscard]] bool isOpaque(micromap::LatticeTriangle t) const;
 
+    // Where a part's centroid lies between a triangle's first corner (0, 0) and the others, (1, 0) and (0,
+    // 1).
+    struct Centroid {
+        double i = 0;
+        double j = 0;
+    };
+    // Those of the 4^depth parts, 2 <= depth <= 6.
+    static const std::vector<Centroid>& centroids(unsigned depth);
+
     // At least 2, and deep enough that a part covers at most 4 square texels, but at most 6.
     static unsigned depth(double squareTexels);
 

@@ -52,7 +52,8 @@ HWY_INLINE VI placeOf(const PlaceFrame& frame, const End& end, VF reach) {
     const auto flipped = hn::Gt(diagonal, zero);
     const VF steps = hn::Set(df, frame.steps);
     const auto inTile = hn::And(hn::And(hn::Ge(i, zero), hn::Ge(j, zero)), hn::Lt(end.sum, steps));
-    VI place = hn::Or(hn::ShiftLeft<16>(hn::ConvertTo(di, j)), hn::ShiftLeft<1>(hn::ConvertTo(di, i)));
+    VI place = hn::Or(hn::ShiftLeftSame(hn::ConvertTo(di, j), frame.rowShift),
+                      hn::ShiftLeft<1>(hn::ConvertTo(di, i)));
     place = hn::IfThenElse(hn::RebindMask(di, flipped), hn::Or(place, hn::Set(di, 1)), place);
     place = hn::IfThenElse(hn::RebindMask(di, inTile), place, hn::Set(di, placeOutside));
     return hn::IfThenElse(hn::RebindMask(di, clear), place, hn::Set(di, placeUnclear));

@@ -23,12 +23,13 @@ struct PlaceFrame {
     float reach = 0;   // what guard and rounding may add to any lattice coordinate, single precision included
     float length = 0;  // lattice steps for a texel of bulge
     float steps = 0;   // 2^height
+    int32_t rowShift = 0;  // height + 1
 };
 
 // Where a piece lies.
 inline constexpr int32_t placeOutside = -2;  // in no micro-triangle of the tile
 inline constexpr int32_t placeUnclear = -1;  // wants a closer look
-// Otherwise micro-triangle (j << 16) | (i << 1) | flipped.
+// Otherwise a micro-triangle by its key, see TileCurve.
 
 struct Places {
     static constexpr size_t capacity = 64;

@@ -7,7 +7,7 @@ namespace filigree::bake {
 namespace {
 
 // The multiple of an axis's period to take off so that `coordinate` lands in the first one.
-double periodShift(double coordinate, const image::Outline::Axis& axis) {
+double periodShift(double coordinate, const image::CellAxis& axis) {
     if (axis.wrap == image::Wrap::clampToEdge) return 0;
     const double period = static_cast<double>(axis.cells);
     return std::floor(coordinate / period) * period;
@@ -15,9 +15,10 @@ double periodShift(double coordinate, const image::Outline::Axis& axis) {
 
 }  // namespace
 
-Placement::Placement(const mesh::UvTriangle& triangle, const image::Outline& outline) {
-    const double width = outline.axisX().size;
-    const double height = outline.axisY().size;
+Placement::Placement(const mesh::UvTriangle& triangle, const image::CellAxis& axisX,
+                     const image::CellAxis& axisY) {
+    const double width = axisX.size;
+    const double height = axisY.size;
     double lowU = triangle.uv[0].u;
     double lowV = triangle.uv[0].v;
     for (const mesh::Uv& uv : triangle.uv) {
@@ -25,8 +26,8 @@ Placement::Placement(const mesh::UvTriangle& triangle, const image::Outline& out
         lowV = std::min<double>(lowV, uv.v);
     }
     // One number each, the same for all corners: whole periods and the half texel.
-    const double shiftX = periodShift(lowU * width, outline.axisX()) + 0.5;
-    const double shiftY = periodShift(lowV * height, outline.axisY()) + 0.5;
+    const double shiftX = periodShift(lowU * width, axisX) + 0.5;
+    const double shiftY = periodShift(lowV * height, axisY) + 0.5;
     double reach = 1;
     for (size_t k = 0; k < 3; ++k) {
         const Bounded x = Bounded(triangle.uv[k].u) * Bounded(width) - Bounded(shiftX);
@@ -51,6 +52,9 @@ Point<Bounded> Placement::boundedAt(int64_t i, int64_t j, unsigned level) const 
 }
 
 bool isPlaceable(const mesh::UvTriangle& triangle, uint32_t width, uint32_t height) {
+    for (const float alpha : triangle.alpha) {
+        if (!std::isfinite(alpha)) return false;
+    }
     return std::ranges::all_of(triangle.uv, [&](const mesh::Uv& uv) {
         return std::fabs(double{uv.u} * width) <= Placement::maxTexels &&
                std::fabs(double{uv.v} * height) <= Placement::maxTexels;

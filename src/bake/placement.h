@@ -19,7 +19,9 @@ using Point = image::PatchPoint<Real>;
 class Placement {
   public:
     // UVs must be finite and within maxTexels of the origin in texels.
-    Placement(const mesh::UvTriangle& triangle, const image::Outline& outline);
+    Placement(const mesh::UvTriangle& triangle, const image::CellAxis& axisX, const image::CellAxis& axisY);
+    Placement(const mesh::UvTriangle& triangle, const image::Outline& outline)
+        : Placement(triangle, outline.axisX(), outline.axisY()) {}
 
     static constexpr double maxTexels = 67108864.0;  // 2^26
 
@@ -45,7 +47,8 @@ class Placement {
     double slack_ = 0;
 };
 
-// True when a triangle can be placed on a texture of that size.
+// True when a triangle can be placed on a texture of that size; false where a coordinate or vertex alpha is
+// not finite or out of reach.
 bool isPlaceable(const mesh::UvTriangle& triangle, uint32_t width, uint32_t height);
 
 }  // namespace filigree::bake

@@ -41,7 +41,7 @@ TileCurve::TileCurve(unsigned height)
     for (uint32_t k = 0; k < triangle_.size(); ++k) {
         const micromap::LatticeTriangle t = micromap::latticeTriangle(k, height);
         triangle_[k] = t;
-        index_[(t.j << (height + 1)) | (t.i << 1) | (t.flipped ? 1u : 0u)] = static_cast<uint16_t>(k);
+        index_[key(t.i, t.j, t.flipped)] = static_cast<uint16_t>(k);
     }
 }
 

@@ -96,8 +96,13 @@ class TileCurve {
     // The table for tiles of 4^height micro-triangles, height <= tileLevel.
     static const TileCurve& of(unsigned height);
 
+    // A place as one number, below 2 * 4^height.
+    [[nodiscard]] uint32_t key(uint32_t i, uint32_t j, bool flipped) const {
+        return (j << (height_ + 1)) | (i << 1) | (flipped ? 1u : 0u);
+    }
+    [[nodiscard]] uint32_t index(uint32_t placeKey) const { return index_[placeKey]; }
     [[nodiscard]] uint32_t index(uint32_t i, uint32_t j, bool flipped) const {
-        return index_[(j << (height_ + 1)) | (i << 1) | (flipped ? 1u : 0u)];
+        return index_[key(i, j, flipped)];
     }
     [[nodiscard]] micromap::LatticeTriangle triangle(uint32_t index) const { return triangle_[index]; }
 

@@ -72,7 +72,8 @@ struct LatticeFrame {
             coordinate->rounding = steps * (2e-7 + 16 * placement.slack() * (1 + thinness)) +
                                    1e-14 * n * thinness * (1 + thinness) + 1e-9;
             coordinate->reach = steps * guard + coordinate->rounding;
-            coordinate->length = std::hypot(coordinate->perX, coordinate->perY);
+            coordinate->length =
+                std::sqrt(coordinate->perX * coordinate->perX + coordinate->perY * coordinate->perY);
         }
         density = std::fabs(a.perX * b.perY - a.perY * b.perX);
         rounding = std::max({a.rounding, b.rounding, c.rounding});
@@ -230,20 +231,15 @@ class Tracer {
             }
             for (size_t k = part.first; k < part.end; ++k) {
                 const int32_t first = places_.first[k - part.first];
+                const int32_t second = places_.second[k - part.first];
                 if (first == placeUnclear) {
                     addPiece(part, k);
-                } else {
-                    markPlace(first);
-                    markPlace(places_.second[k - part.first]);
+                    continue;
                 }
+                if (first >= 0) mark(curve_.index(static_cast<uint32_t>(first)));
+                if (second >= 0 && second != first) mark(curve_.index(static_cast<uint32_t>(second)));
             }
         }
-    }
-
-    void markPlace(int32_t place) {
-        if (place < 0) return;
-        mark(curve_.index(static_cast<uint32_t>(place >> 1) & 0x7fff, static_cast<uint32_t>(place >> 16),
-                          (place & 1) != 0));
     }
 
     void addPiece(const image::Outline::Run& run, size_t k) {
@@ -274,6 +270,7 @@ class Tracer {
         place_.reach = static_cast<float>((reach + single) * 1.000001);
         place_.length = static_cast<float>(length * 1.000001);
         place_.steps = static_cast<float>(n_);
+        place_.rowShift = static_cast<int32_t>(part_.height) + 1;
         return frame_.valid && single < 0.05 && extent < 1e6;
     }
 
@@ -293,9 +290,8 @@ class Tracer {
     }
 
     void mark(uint32_t index) {
-        if (tile_.unknown.test(index)) return;
+        left_ -= tile_.unknown.test(index) ? 0 : 1;
         tile_.unknown.set(index);
-        --left_;
     }
 
     // Looks at each micro-triangle next to the chord that is not marked yet.

@@ -186,10 +186,13 @@ std::vector<Threshold> thresholdsOf(const AlphaTest& test, double vertexAlpha, u
     const double factor = test.factor * vertexAlpha;
     const float floatFactor = static_cast<float>(test.factor) * static_cast<float>(vertexAlpha);
     if (test.mode == AlphaMode::blend) {
-        const Threshold zero = factor > 0 ? Threshold{65535 / steps, std::numeric_limits<double>::min()}
-                                          : Threshold{65536, 65536};
-        const Threshold one = factor >= 1 ? Threshold{65535, 65535} : Threshold{65536, 65536};
-        return {one, zero};
+        AlphaTest one = test;
+        one.mode = AlphaMode::mask;
+        one.cutoff = 1;
+        std::vector<Threshold> thresholds = thresholdsOf(one, vertexAlpha, steps);
+        thresholds.push_back(factor > 0 ? Threshold{65535 / steps, std::numeric_limits<double>::min()}
+                                        : Threshold{65536, 65536});
+        return thresholds;
     }
     const double exact = factor > 0 ? test.cutoff * 65535 / factor : std::numeric_limits<double>::infinity();
     const uint32_t inDouble =
@@ -210,7 +213,7 @@ Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t step
     return thresholdsOf(mask, vertexAlpha, steps).front();
 }
 
-Outline::Axis::Axis(uint32_t texels, Wrap mode)
+CellAxis::CellAxis(uint32_t texels, Wrap mode)
     : size(texels),
       wrap(mode),
       cells(mode == Wrap::repeat           ? texels

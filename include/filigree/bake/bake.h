@@ -31,11 +31,11 @@ struct Settings {
 // What a bake did, for reports.
 struct Statistics {
     uint64_t triangles = 0;
-    uint64_t distinctTriangles = 0;                          // after equal UV triangles are merged
-    uint64_t nonFiniteTriangles = 0;                         // NaN, infinite or too large UVs: unknown-opaque
-    uint64_t microTriangles = 0;                             // of all triangles, shared or not
-    micromap::StateCounts states;                            // of all triangles, shared or not
-    uint64_t microTrianglesAt[micromap::maxLevel + 1] = {};  // of all triangles, by level
+    uint64_t distinctTriangles = 0;                     // after equal UV triangles are merged
+    uint64_t nonFiniteTriangles = 0;                    // NaN, infinite or too large UVs: unknown-opaque
+    uint64_t microTriangles = 0;                        // of all triangles, shared or not
+    micromap::StateCounts states;                       // of all triangles, shared or not
+    uint64_t trianglesAt[micromap::maxLevel + 1] = {};  // how many triangles were baked at each level
 };
 
 struct Baked {

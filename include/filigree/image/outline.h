@@ -36,10 +36,34 @@ std::vector<Threshold> thresholdsOf(const AlphaTest& test, double vertexAlpha, u
 // blend.
 Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t steps);
 
+// How unwrapped cells map to the distinct ones on an axis.
+struct CellAxis {
+    uint32_t size = 0;  // texels
+    Wrap wrap = Wrap::repeat;
+    int64_t cells = 0;  // distinct cells: size (repeat), 2 size (mirrored), size + 1 (clamp)
+
+    CellAxis() = default;
+    CellAxis(uint32_t texels, Wrap mode);
+
+    [[nodiscard]] bool clamps() const { return wrap == Wrap::clampToEdge; }
+
+    // The distinct cell that `cell` is a copy of, 0..cells-1.
+    [[nodiscard]] int64_t canonical(int64_t cell) const {
+        if (clamps()) return cell < -1 ? 0 : cell >= size ? size : cell + 1;
+        if (cell >= 0 && cell < cells) return cell;
+        const int64_t in = cell % cells;
+        return in < 0 ? in + cells : in;
+    }
+    // An unwrapped cell with that canonical number.
+    [[nodiscard]] int64_t representative(int64_t canonicalCell) const {
+        return clamps() ? canonicalCell - 1 : canonicalCell;
+    }
+};
+
 // A piece of the outline in one cell: the true curve from (x0, y0) to (x1, y1), relative to the cell, stays
 // within `bulge` of the straight segment. Both ends lie on the outline within 1e-6.
 struct OutlinePiece {
-    int32_t cell = 0;  // canonical column and row of its cell, see Outline::Axis
+    int32_t cell = 0;  // canonical column and row of its cell, see CellAxis
     int32_t row = 0;
     float x0 = 0;
     float y0 = 0;
@@ -53,30 +77,7 @@ class Outline {
     // `filter` must be linear or nearest. The texture must outlive the outline.
     Outline(const AlphaTexture& texture, Filter filter, const Threshold& threshold);
 
-    // How unwrapped cells map to the distinct ones on an axis.
-    struct Axis {
-        uint32_t size = 0;  // texels
-        Wrap wrap = Wrap::repeat;
-        int64_t cells = 0;  // distinct cells: size (repeat), 2 size (mirrored), size + 1 (clamp)
-
-        Axis() = default;
-        Axis(uint32_t texels, Wrap mode);
-
-        [[nodiscard]] bool clamps() const { return wrap == Wrap::clampToEdge; }
-
-        // The distinct cell that `cell` is a copy of, 0..cells-1.
-        [[nodiscard]] int64_t canonical(int64_t cell) const {
-            if (clamps()) return cell < -1 ? 0 : cell >= size ? size : cell + 1;
-            if (cell >= 0 && cell < cells) return cell;
-            const int64_t in = cell % cells;
-            return in < 0 ? in + cells : in;
-        }
-        // An unwrapped cell with that canonical number.
-        [[nodiscard]] int64_t representative(int64_t canonicalCell) const {
-            return clamps() ? canonicalCell - 1 : canonicalCell;
-        }
-    };
-
+    using Axis = CellAxis;
     [[nodiscard]] const Axis& axisX() const { return axisX_; }
     [[nodiscard]] const Axis& axisY() const { return axisY_; }
     [[nodiscard]] const AlphaTexture& texture() const { return *texture_; }
