@@ -102,7 +102,8 @@ class BarPainter {
         plot_.drawing.shapes.push_back(Rect{x, std::min(from, to), width_, std::abs(from - to),
                                             series.colours.empty() ? series.colour : series.colours[c],
                                             who + chart_.categories[c] + ": " + text});
-        if (chart_.labels && !chart_.stacked && textWidth(text, labelSize) <= width_ * 1.2) {
+        const double room = chart_.series.size() == 1 ? slot_ : width_;
+        if (chart_.labels && !chart_.stacked && textWidth(text, labelSize) <= room) {
             plot_.drawing.shapes.push_back(Text{x + width_ / 2, std::min(from, to) - 4, text, labelSize,
                                                 Anchor::middle, Ink::text, false, false});
         }

@@ -37,6 +37,7 @@ font:13px/1.5 ui-monospace,"DejaVu Sans Mono",Consolas,monospace;overflow-x:auto
 .row{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,27rem),1fr));gap:0 2rem}
 .scroll{overflow-x:auto}
 svg.fg{display:block;min-width:26rem}
+figure.table{width:fit-content;max-width:100%}
 figure.table figcaption{display:flex;flex-wrap:wrap;gap:.4rem 1rem;align-items:center;justify-content:space-between;
 margin:0 0 .4rem;max-width:none}
 table{border-collapse:collapse;font-size:.92rem;font-variant-numeric:tabular-nums}

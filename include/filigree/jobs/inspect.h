@@ -28,10 +28,18 @@ struct InspectedTexture {
     uint32_t width = 0;             // texels
     uint32_t height = 0;
     uint64_t triangles = 0;
-    uint64_t micromaps = 0;
-    std::array<uint64_t, 4> states{};      // micro-triangles by micromap::State, special indices included
-    std::map<unsigned, uint64_t> levels;   // micromaps by level
+    uint64_t drawnTriangles = 0;  // distinct ones in the picture; a huge scene's picture shows only the first
+    uint64_t distinctTriangles = 0;       // by texture coordinates and micromap
+    uint64_t micromaps = 0;               // that its triangles use
+    uint64_t bytes = 0;                   // of their data and records
+    std::array<uint64_t, 4> special{};    // triangles with a special index, by micromap::State
+    std::array<uint64_t, 4> states{};     // micro-triangles by micromap::State; a special index counts as one
+    std::array<double, 4> area{};         // texels covered by each state, summed over the triangles
+    std::map<unsigned, uint64_t> levels;  // micromaps by level
     std::map<uint64_t, uint64_t> sharing;  // micromaps by the number of triangles that share each
+
+    // The shares of `area`, of one; all 0 without area.
+    [[nodiscard]] std::array<double, 4> areaShares() const;
 };
 
 struct InspectSummary {
@@ -45,12 +53,6 @@ struct InspectSummary {
 // Reads, bakes in memory where the file has no micromaps, draws, and writes the page and its pictures.
 Result<InspectSummary> inspect(const InspectOptions& options, const Executor& executor,
                                ProgressSink& progress);
-
-// The same for a scene in memory that has micromaps; options.input and parameters are not used. The scene
-// demo and bake share this.
-Result<InspectSummary> inspectScene(const scene::Scene& scene, const std::string& title,
-                                    const std::filesystem::path& outputFolder, const Executor& executor,
-                                    ProgressSink& progress);
 
 // The machine-readable result: one JSON object.
 std::string toJson(const InspectSummary& summary);

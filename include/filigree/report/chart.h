@@ -11,7 +11,7 @@ namespace filigree::report {
 
 struct Axis {
     std::string label;
-    std::string unit;    // shown after the label; empty for none
+    std::string unit{};  // shown after the label; empty for none
     bool log = false;    // logarithmic; values that are not positive are then left out
     bool share = false;  // values are shares of one and show as percent
 };

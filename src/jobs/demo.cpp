@@ -1,0 +1,149 @@
+#include "filigree/jobs/demo.h"
+
+#include "filigree/core/file.h"
+#include "filigree/io/gltf.h"
+#include "filigree/report/number.h"
+
+#include "jobs/demo_scene.h"
+#include "jobs/inspection.h"
+#include "jobs/json_text.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+constexpr const char* sceneFile = "scene.glb";
+constexpr const char* bakedFile = "scene_omm.glb";
+
+std::string command(std::initializer_list<std::string> words) {
+    return shellCommand(std::vector<std::string>(words));
+}
+
+Status writeScene(const std::filesystem::path& path) {
+    const auto bytes = makeDemoScene();
+    if (!bytes) return bytes.error();
+    return writeFile(path, *bytes);
+}
+
+report::Table bakeTable(const DemoSummary& s) {
+    const auto count = [](uint64_t n) { return static_cast<int64_t>(n); };
+    uint64_t special = 0;
+    for (const uint64_t n : s.bake.special) special += n;
+    report::Table table;
+    table.caption = "The bake";
+    table.command = command({"filigree", "bake", s.scene.string(), "-o", s.baked.string()});
+    table.columns = {{"what", "What"}, {"value", "Value"}};
+    table.rows = {{"Triangles of the scene", count(s.bake.triangles)},
+                  {"of them cut out by alpha", count(s.bake.maskedTriangles)},
+                  {"Micromaps", count(s.bake.micromaps)},
+                  {"Triangles with a special index", count(special)},
+                  {"Micro-triangles", count(s.bake.microTriangles)},
+                  {"Known micro-triangles", report::formatShare(s.bake.knownShare())},
+                  {"Data", report::formatBytes(static_cast<double>(s.bake.dataBytes))},
+                  {"Records", report::formatBytes(static_cast<double>(s.bake.recordBytes))},
+                  {"Indices", report::formatBytes(static_cast<double>(s.bake.indexBytes))}};
+    return table;
+}
+
+report::Table validationTable(const DemoSummary& s) {
+    const auto count = [](uint64_t n) { return static_cast<int64_t>(n); };
+    const DeepSummary deep = s.validation.deep.value_or(DeepSummary{});
+    report::Table table;
+    table.caption = "The proof: every rule of the format, and every micro-triangle against its texture";
+    table.command = command({"filigree", "validate", s.baked.string(), "--deep"});
+    table.columns = {{"what", "What"}, {"value", "Value"}};
+    table.rows = {{"Broken rules", count(s.validation.breaches.size())},
+                  {"Micro-triangles examined", count(deep.microTriangles)},
+                  {"wrongly known", count(deep.wrong)},
+                  {"unknown, though one side throughout", count(deep.overCautious)},
+                  {"too close to the cutoff to tell", count(deep.uncertain)}};
+    return table;
+}
+
+report::Section filesSection() {
+    return {"Files",
+            {report::Links{{{sceneFile, "the scene as it was made"},
+                            {bakedFile, "the same with opacity micromaps (EXT_mesh_opacity_micromap)"}}}}};
+}
+
+report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> inspected) {
+    report::Page page;
+    page.title = "Filigree demo";
+    page.lead =
+        "A glade made in code, baked to opacity micromaps, proved right and drawn. Trees, ferns, grass, "
+        "blossoms and "
+        "a chain-link fence are flat cards that alpha textures cut out.";
+    page.sections.push_back({"Bake and proof", {bakeTable(summary), validationTable(summary)}});
+    for (auto& section : inspected) page.sections.push_back(std::move(section));
+    page.sections.push_back(filesSection());
+    return page;
+}
+
+Result<Inspection> inspectBaked(const DemoSummary& summary, const std::filesystem::path& folder,
+                                const Executor& executor, ProgressSink& progress) {
+    const auto document = io::GltfDocument::load(summary.baked);
+    if (!document) return document.error();
+    io::ReadOptions reading;
+    reading.blendAlpha = true;
+    const auto scene = io::readScene(*document, reading);
+    if (!scene) return scene.error();
+    return inspectScene(*scene, folder,
+                        command({"filigree", "inspect", summary.baked.string(), "-o", folder.string()}),
+                        executor, progress);
+}
+
+// The demo shows that the micromaps are right; if they are not it must not look like a success.
+Status requireValid(const DemoSummary& summary) {
+    if (summary.validation.valid()) return {};
+    const auto& breaches = summary.validation.breaches;
+    const std::string first = breaches.empty() ? "" : ": " + breaches[0].path + ": " + breaches[0].message;
+    return Error{ErrorKind::format,
+                 fmt::format("{}: the bake is not valid{}", summary.baked.string(), first)};
+}
+
+}  // namespace
+
+Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, ProgressSink& progress) {
+    const auto& folder = options.outputFolder;
+    DemoSummary summary;
+    summary.page = folder / "index.html";
+    summary.scene = folder / sceneFile;
+    summary.baked = folder / bakedFile;
+    if (const auto made = makeFolder(folder); !made) return made.error();
+    if (const auto written = writeScene(summary.scene); !written) return written.error();
+
+    auto baked = bake({summary.scene, summary.baked, {}, options.parameters}, executor, progress);
+    if (!baked) return baked.error();
+    summary.bake = std::move(*baked);
+
+    ValidateOptions deep;
+    deep.input = summary.baked;
+    deep.deep = true;
+    auto validation = validate(deep, executor, progress);
+    if (!validation) return validation.error();
+    summary.validation = std::move(*validation);
+    if (const auto valid = requireValid(summary); !valid) return valid.error();
+
+    auto inspection = inspectBaked(summary, folder, executor, progress);
+    if (!inspection) return inspection.error();
+    summary.inspection = std::move(inspection->summary);
+    summary.inspection.page = summary.page;
+    const std::string html = report::toHtml(pageOf(summary, std::move(inspection->sections)));
+    if (const auto written = writeFile(summary.page, html); !written) return written.error();
+    return summary;
+}
+
+std::string toJson(const DemoSummary& s) {
+    const Json json = {{"page", s.page.string()},
+                       {"scene", s.scene.string()},
+                       {"baked", s.baked.string()},
+                       {"bake", Json::parse(toJson(s.bake))},
+                       {"validate", Json::parse(toJson(s.validation))},
+                       {"inspect", Json::parse(toJson(s.inspection))}};
+    return dump(json);
+}
+
+}  // namespace filigree::jobs

@@ -1,0 +1,40 @@
+// What inspect and demo share: measuring a scene's micromaps and showing them as sections of a page.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/jobs/inspect.h"
+#include "filigree/report/page.h"
+#include "filigree/scene/scene.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace filigree::jobs {
+
+struct Inspection {
+    InspectSummary summary;  // without the page
+    std::vector<report::Section> sections;
+};
+
+// Measures and draws the micromaps of `scene`; writes the pictures into `folder`, which exists. `command` is
+// what figures say they were made by.
+Result<Inspection> inspectScene(const scene::Scene& scene, const std::filesystem::path& folder,
+                                const std::string& command, const Executor& executor, ProgressSink& progress);
+
+// Makes `folder` and all above it where missing.
+Status makeFolder(const std::filesystem::path& folder);
+
+// Writes `png` as `folder`/`file` and gives it as a picture of a page.
+Result<report::Picture> writePicture(const std::filesystem::path& folder, const std::string& file,
+                                     std::vector<uint8_t> png, uint32_t width, uint32_t height,
+                                     std::string alt);
+
+// A command line for people to copy: words with more than plain characters stand in single quotes.
+std::string shellCommand(std::span<const std::string> words);
+
+}  // namespace filigree::jobs

@@ -1,0 +1,47 @@
+// Micro-triangles drawn over the alpha that they stand for.
+#pragma once
+
+#include "filigree/image/alpha_image.h"
+#include "filigree/mesh/uv_triangle.h"
+#include "filigree/micromap/set.h"
+#include "filigree/micromap/state.h"
+
+#include "jobs/canvas.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace filigree::jobs {
+
+// Four colours that stay apart for colour-blind readers: known states are blue, unknown ones orange, and the
+// opaque side is the lighter of each.
+Colour stateColour(micromap::State state);
+const char* stateName(micromap::State state);
+
+struct OverlayTriangle {
+    std::array<mesh::Uv, 3> uv;
+    const micromap::FlatSet* set = nullptr;
+    int32_t index = 0;  // a record of `set`, or special
+};
+
+// A line of text and the share of each state, below the picture.
+struct OverlayLegend {
+    std::string title;
+    std::array<double, 4> shares{};  // by State, of one
+};
+
+struct Overlay {
+    Canvas canvas;
+    size_t drawn = 0;  // triangles; fewer than there are where a scene would take too long
+};
+
+// The texture's tile, at most 2048 pixels a side, its alpha in grey, with `triangles` in order over it. Parts
+// beyond the tile come back into it as the wrap modes say; with clampToEdge they are cut. Triangles that are
+// not finite are passed over. Same input, same picture.
+Overlay drawOverlay(const image::AlphaTexture& texture, double factor,
+                    const std::vector<OverlayTriangle>& triangles, const OverlayLegend& legend);
+
+}  // namespace filigree::jobs
