@@ -78,7 +78,4 @@ void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);
 void addDemo(CLI::App& app, Commands& commands);
 
-// The verbs that are planned but not there yet: they say so and exit with wrongUsage.
-void addLater(CLI::App& app, Commands& commands);
-
 }  // namespace filigree::app
