@@ -127,7 +127,7 @@ Status bakeGroup(scene::Scene& scene, const AlphaGroup& group, const BakeParamet
     const auto triangles = trianglesOf(group.primitives);
     auto baked = bake::bake(triangles, texture, test, settings, executor, stage);
     if (!baked) return baked.error().within(name);
-    auto flat = micromap::flatten(baked->set);
+    auto flat = micromap::flatten(baked->set, executor);
     if (!flat) return flat.error().within(name + ": choose a lower level");
     ensureOneRecord(*flat, settings.format);
     count(*flat, baked->statistics, summary);

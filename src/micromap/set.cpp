@@ -22,7 +22,7 @@ uint64_t flatDataBytes(const TreeSet& set) {
     return bytes;
 }
 
-Result<FlatSet> flatten(const TreeSet& set) {
+Result<FlatSet> flatten(const TreeSet& set, const Executor& executor) {
     const uint64_t bytes = flatDataBytes(set);
     if (bytes > UINT32_MAX) {
         return Error{
@@ -32,17 +32,23 @@ Result<FlatSet> flatten(const TreeSet& set) {
                         bytes, UINT32_MAX)};
     }
     FlatSet flat;
-    flat.data.resize(bytes);
-    flat.records.reserve(set.trees.size());
     flat.indices = set.indices;
-    uint32_t offset = 0;
+    flat.records.reserve(set.trees.size());
+    uint64_t offset = 0;
     for (size_t k = 0; k < set.trees.size(); ++k) {
-        const QuadtreeView tree = set.trees[k];
-        const auto size = static_cast<uint32_t>(flatBytes(tree.level, set.format));
-        writeFlat(tree, set.format, std::span(flat.data).subspan(offset, size));
-        flat.records.push_back({offset, static_cast<uint16_t>(tree.level), set.format});
-        offset += size;
+        const unsigned level = set.trees[k].level;
+        flat.records.push_back({static_cast<uint32_t>(offset), static_cast<uint16_t>(level), set.format});
+        offset += flatBytes(level, set.format);
     }
+    flat.data.resize(bytes);
+    executor.parallelFor(set.trees.size(), 16, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end; ++k) {
+            const QuadtreeView tree = set.trees[k];
+            const auto to =
+                std::span(flat.data).subspan(flat.records[k].byteOffset, flatBytes(tree.level, set.format));
+            writeFlat(tree, set.format, to);
+        }
+    });
     return flat;
 }
 

@@ -1,6 +1,7 @@
 // Sets of micromaps for the triangles of a mesh: as quadtrees, and flat as the APIs take them.
 #pragma once
 
+#include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/micromap/quadtree.h"
 #include "filigree/micromap/state.h"
@@ -47,7 +48,7 @@ uint64_t flatDataBytes(const TreeSet& set);
 
 // The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of
 // the 32-bit offsets.
-Result<FlatSet> flatten(const TreeSet& set);
+Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor());
 
 // The four-state value of micro-triangle `index` of a flat record. 2-state gives transparent or opaque.
 State flatState(const FlatSet& set, const Record& record, uint64_t index);
