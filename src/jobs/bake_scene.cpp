@@ -1,4 +1,5 @@
 #include "filigree/bake/bake.h"
+#include "filigree/bake/budget.h"
 #include "filigree/jobs/bake.h"
 
 #include "jobs/alpha_source.h"
@@ -11,6 +12,8 @@
 
 namespace filigree::jobs {
 namespace {
+
+using Group = AlphaGroup<scene::Primitive>;
 
 constexpr double maxGuard = 1024;  // texels; what bake::bake takes
 
@@ -30,9 +33,8 @@ bool isBaked(const scene::Material& material, const BakeParameters& parameters) 
 }
 
 // Drops the micromaps the scene came with and sorts the primitives that get new ones by alpha source.
-std::vector<AlphaGroup> gatherGroups(scene::Scene& scene, const BakeParameters& parameters,
-                                     BakeSummary& summary) {
-    std::vector<AlphaGroup> groups;
+std::vector<Group> gatherGroups(scene::Scene& scene, const BakeParameters& parameters, BakeSummary& summary) {
+    std::vector<Group> groups;
     scene.micromaps.clear();
     for (auto& mesh : scene.meshes) {
         for (auto& primitive : mesh.primitives) {
@@ -118,28 +120,105 @@ uint64_t indexBytes(const std::vector<int32_t>& indices) {
     return indices.size() * (highest < 0xFF - 3 ? 1 : highest < 0xFFFF - 3 ? 2 : 4);
 }
 
-Status bakeGroup(scene::Scene& scene, const AlphaGroup& group, const BakeParameters& parameters,
-                 const Executor& executor, OneStage& stage, BakeSummary& summary) {
+// A group on its way through the stages.
+struct GroupBake {
+    const Group* group;
+    std::string name;
+    image::AlphaTest test;
+    bake::Baked baked;
+};
+
+Result<GroupBake> bakeGroup(const scene::Scene& scene, const Group& group, const BakeParameters& parameters,
+                            const Executor& executor, OneStage& stage) {
     const std::string name = nameOf(scene, group.source);
     const image::AlphaTexture texture = textureOf(scene, group.source);
     const image::AlphaTest test = testFor(group.source, texture);
-    const bake::Settings settings = settingsOf(parameters);
-    const auto triangles = trianglesOf(group.primitives);
-    auto baked = bake::bake(triangles, texture, test, settings, executor, stage);
+    auto baked =
+        bake::bake(trianglesOf(group.primitives), texture, test, settingsOf(parameters), executor, stage);
     if (!baked) return baked.error().within(name);
-    auto flat = micromap::flatten(baked->set, executor);
-    if (!flat) return flat.error().within(name + ": choose a lower level");
-    ensureOneRecord(*flat, settings.format);
-    count(*flat, baked->statistics, summary);
-    if (const uint64_t lost = baked->statistics.nonFiniteTriangles; lost > 0) {
-        summary.notes.push_back(fmt::format(
-            "{}: triangles whose texture coordinates are no numbers, made unknown-opaque: {}", name, lost));
+    return GroupBake{&group, name, test, std::move(*baked)};
+}
+
+// World area of the triangles that use each micromap of a group, by micromap; what is left is that of unknown
+// ones.
+std::vector<double> weightsOf(const scene::Scene& scene, const GroupBake& group, double& unknownWeight) {
+    const auto& indices = group.baked.set.indices;
+    std::vector<double> weights(group.baked.set.trees.size(), 0.0);
+    size_t t = 0;
+    for (const auto* primitive : group.group->primitives) {
+        for (const double area : scene::worldAreas(scene, *primitive)) {
+            const int32_t index = indices[t++];
+            if (index >= 0) {
+                weights[static_cast<size_t>(index)] += area;
+            } else if (!micromap::isKnown(micromap::stateOfSpecialIndex(index))) {
+                unknownWeight += area;
+            }
+        }
     }
-    handOut(group.primitives, static_cast<int>(scene.micromaps.size()), *baked, flat->indices);
-    for (const auto* primitive : group.primitives)
-        summary.indexBytes += indexBytes(primitive->micromapIndices);
+    return weights;
+}
+
+// Coarsens the micromaps of all groups until they fit the budget.
+void fitBudget(const scene::Scene& scene, uint64_t budget, std::vector<GroupBake>& groups,
+               BakeSummary& summary) {
+    std::vector<bake::BudgetMap> maps;
+    double unknownWeight = 0;
+    for (const GroupBake& group : groups) {
+        const std::vector<double> weights = weightsOf(scene, group, unknownWeight);
+        for (size_t k = 0; k < weights.size(); ++k) maps.push_back({group.baked.set.trees[k], weights[k]});
+    }
+    // Each group needs one record, even where nothing is left for it.
+    const uint64_t reserved = groups.size() * (micromap::recordBytes + 1);
+    const uint64_t left = budget > reserved ? budget - reserved : 0;
+    const auto format = groups.empty() ? micromap::Format::fourState : groups.front().baked.set.format;
+    const bake::BudgetChoice choice = bake::chooseLevels(maps, format, left);
+    summary.budgetCost = choice.cost + unknownWeight;
+    summary.budgetBound = choice.bound + unknownWeight;
+    size_t first = 0;
+    for (GroupBake& group : groups) {
+        const size_t count = group.baked.set.trees.size();
+        group.baked.set = bake::coarsenedTo(group.baked.set, std::span(choice.levels).subspan(first, count));
+        first += count;
+    }
+}
+
+// States of all triangles after the budget changed them.
+micromap::StateCounts countStates(const micromap::TreeSet& set) {
+    std::vector<micromap::StateCounts> ofTree(set.trees.size());
+    for (size_t k = 0; k < ofTree.size(); ++k) ofTree[k] = micromap::countStates(set.trees[k]);
+    micromap::StateCounts sum;
+    for (const int32_t index : set.indices) {
+        if (index < 0) {
+            ++sum.of[static_cast<size_t>(micromap::stateOfSpecialIndex(index))];
+            continue;
+        }
+        for (size_t s = 0; s < 4; ++s) sum.of[s] += ofTree[static_cast<size_t>(index)].of[s];
+    }
+    return sum;
+}
+
+// Flattens a group's micromaps into the scene and counts them.
+Status finishGroup(scene::Scene& scene, GroupBake& group, bool budgeted, const Executor& executor,
+                   BakeSummary& summary) {
+    auto flat = micromap::flatten(group.baked.set, executor);
+    if (!flat) return flat.error().within(group.name);
+    ensureOneRecord(*flat, group.baked.set.format);
+    bake::Statistics statistics = group.baked.statistics;
+    if (budgeted) {
+        statistics.states = countStates(group.baked.set);
+        statistics.microTriangles = statistics.states.total();
+    }
+    count(*flat, statistics, summary);
+    if (const uint64_t lost = statistics.nonFiniteTriangles; lost > 0) {
+        summary.notes.push_back(
+            fmt::format("{}: triangles whose texture coordinates are no numbers, made unknown-opaque: {}",
+                        group.name, lost));
+    }
+    const auto& primitives = group.group->primitives;
+    handOut(primitives, static_cast<int>(scene.micromaps.size()), group.baked, flat->indices);
+    for (const auto* primitive : primitives) summary.indexBytes += indexBytes(primitive->micromapIndices);
     flat->indices.clear();
-    scene.micromaps.push_back({std::move(*flat), test, name});
+    scene.micromaps.push_back({std::move(*flat), group.test, group.name});
     return {};
 }
 
@@ -160,7 +239,6 @@ Status check(const BakeParameters& p) {
     if (p.cutoff && !(*p.cutoff >= 0 && *p.cutoff <= 1)) {
         return usage(fmt::format("--cutoff {}: give a number from 0 to 1", *p.cutoff));
     }
-    if (p.budget) return usage("--budget: not in this version");
     return {};
 }
 
@@ -177,12 +255,18 @@ Result<BakeSummary> bakeScene(scene::Scene& scene, const BakeParameters& paramet
     }
     OneStage stage(progress, "bake", summary.maskedTriangles, "triangles");
     uint64_t finished = 0;
+    std::vector<GroupBake> bakes;
     for (const auto& group : groups) {
-        if (auto baked = bakeGroup(scene, group, parameters, executor, stage, summary); !baked) {
-            return baked.error();
-        }
+        auto baked = bakeGroup(scene, group, parameters, executor, stage);
+        if (!baked) return baked.error();
+        bakes.push_back(std::move(*baked));
         for (const auto* primitive : group.primitives) finished += primitive->triangleCount();
         stage.advanceTo(finished);
+    }
+    if (parameters.budget) fitBudget(scene, *parameters.budget, bakes, summary);
+    for (GroupBake& group : bakes) {
+        auto finishedGroup = finishGroup(scene, group, parameters.budget.has_value(), executor, summary);
+        if (!finishedGroup) return finishedGroup.error();
     }
     summary.bakeSeconds = watch.seconds();
     return summary;

@@ -55,14 +55,16 @@ class NodeTable {
     std::vector<Node> nodes_;
 };
 
-int copyCoarsened(const NodeTable& table, size_t node, unsigned depth, unsigned level, BitWriter& to) {
+int copyCoarsened(const NodeTable& table, size_t node, unsigned depth, unsigned level, Format format,
+                  BitWriter& to) {
     if (!table.isInner(node)) return appendLeaf(to, level - depth, static_cast<int>(table.state(node)));
     if (depth == level) {
         const bool opaque = 2 * table.opaqueCount(node, depth) >= microTriangleCount(table.level() - depth);
-        return appendLeaf(to, 0, static_cast<int>(unknownOf(opaque)));
+        return appendLeaf(to, 0,
+                          static_cast<int>(format == Format::twoState ? knownOf(opaque) : unknownOf(opaque)));
     }
     return appendInner(to, level - depth, [&](unsigned k) {
-        return copyCoarsened(table, table.child(node, k), depth + 1, level, to);
+        return copyCoarsened(table, table.child(node, k), depth + 1, level, format, to);
     });
 }
 
@@ -114,10 +116,10 @@ int copyPermuted(const NodeTable& table, size_t node, unsigned height, const Ver
 
 }  // namespace
 
-Quadtree coarsened(const QuadtreeView& tree, unsigned level) {
+Quadtree coarsened(const QuadtreeView& tree, unsigned level, Format format) {
     assert(level <= tree.level);
     BitWriter stream;
-    copyCoarsened(NodeTable(tree), NodeTable::root, 0, level, stream);
+    copyCoarsened(NodeTable(tree), NodeTable::root, 0, level, format, stream);
     return {std::move(stream), level};
 }
 

@@ -22,8 +22,8 @@ struct BakeParameters {
     // maxLevel.
     std::optional<unsigned> level;
     unsigned maxLevel = 8;  // 0..12
-    // Bytes that data, records and indices may take together; levels are then chosen for fewest any-hit
-    // calls.
+    // Bytes that data and records may take together (indices depend on the triangles alone); levels, up to
+    // those that would be used without, are then chosen for fewest any-hit calls.
     std::optional<uint64_t> budget;
     // A known state also holds at this many coarser mip levels; above what an image has, at all of them.
     unsigned mips = 0;

@@ -65,7 +65,7 @@ Quadtree quadtreeFromFlat(std::span<const uint8_t> flat, unsigned level, Format 
 
 // The same micromap at a coarser level, 0 <= level <= tree.level: a micro-triangle is known where all it
 // covers is known alike. The opaque side of an unknown one is that of the greater part, opaque on a tie.
-Quadtree coarsened(const QuadtreeView& tree, unsigned level);
+Quadtree coarsened(const QuadtreeView& tree, unsigned level, Format format = Format::fourState);
 
 // An order of a triangle's vertices: new vertex k is old vertex order[k].
 using VertexOrder = std::array<uint8_t, 3>;
