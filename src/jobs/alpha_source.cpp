@@ -1,6 +1,10 @@
 #include "jobs/alpha_source.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <set>
 #include <tuple>
 
 namespace filigree::jobs {
@@ -9,6 +13,20 @@ namespace {
 auto key(const AlphaSource& s) {
     return std::tuple(s.image, s.wrapU, s.wrapV, s.filter, s.test.mode, s.test.cutoff, s.test.factor,
                       s.test.mips, s.test.guard);
+}
+
+// Bit patterns, so that NaN equals itself and 0 differs from -0.
+std::array<uint32_t, 11> kindOf(const TrianglePlace& place) {
+    const auto triangle = place.uvTriangle();
+    std::array<uint32_t, 11> kind{};
+    for (size_t k = 0; k < 3; ++k) {
+        kind[3 * k] = std::bit_cast<uint32_t>(triangle.uv[k].u);
+        kind[3 * k + 1] = std::bit_cast<uint32_t>(triangle.uv[k].v);
+        kind[3 * k + 2] = std::bit_cast<uint32_t>(triangle.alpha[k]);
+    }
+    kind[9] = static_cast<uint32_t>(place.primitive->micromaps);
+    kind[10] = static_cast<uint32_t>(place.micromapIndex());
+    return kind;
 }
 
 }  // namespace
@@ -49,11 +67,16 @@ std::string nameOf(const scene::Scene& scene, const AlphaSource& source) {
     return source.image >= 0 ? scene.images[static_cast<size_t>(source.image)].name : "no texture";
 }
 
-void addToGroup(std::vector<AlphaGroup>& groups, const AlphaSource& source, scene::Primitive& primitive) {
-    auto group =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.source == source; });
-    if (group == groups.end()) group = groups.insert(group, {source, {}});
-    group->primitives.push_back(&primitive);
+std::vector<TrianglePlace> distinctTriangles(std::span<const scene::Primitive* const> primitives) {
+    std::vector<TrianglePlace> places;
+    std::set<std::array<uint32_t, 11>> seen;
+    for (const auto* primitive : primitives) {
+        for (size_t t = 0; t < primitive->triangleCount(); ++t) {
+            const TrianglePlace place{primitive, t};
+            if (seen.insert(kindOf(place)).second) places.push_back(place);
+        }
+    }
+    return places;
 }
 
 std::vector<mesh::UvTriangle> trianglesOf(std::span<scene::Primitive* const> primitives) {

@@ -5,8 +5,10 @@
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/scene/scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace filigree::jobs {
@@ -33,14 +35,37 @@ image::AlphaTest testFor(const AlphaSource& source, const image::AlphaTexture& t
 // A name for people: the image's, or "no texture".
 std::string nameOf(const scene::Scene& scene, const AlphaSource& source);
 
-// Primitives that use one source, in scene order.
-struct AlphaGroup {
+// Primitives that use one source, in scene order. `Primitive` is scene::Primitive, const or not.
+template <class Primitive>
+struct AlphaGroupOf {
     AlphaSource source;
-    std::vector<scene::Primitive*> primitives;
+    std::vector<Primitive*> primitives;
 };
+using AlphaGroup = AlphaGroupOf<scene::Primitive>;
+using ConstAlphaGroup = AlphaGroupOf<const scene::Primitive>;
 
 // Adds `primitive` to the group of `source`, a new one at the end where there is none yet.
-void addToGroup(std::vector<AlphaGroup>& groups, const AlphaSource& source, scene::Primitive& primitive);
+template <class Primitive>
+void addToGroup(std::vector<AlphaGroupOf<Primitive>>& groups, const AlphaSource& source,
+                Primitive& primitive) {
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.source == source; });
+    if (group == groups.end()) group = groups.insert(group, {source, {}});
+    group->primitives.push_back(&primitive);
+}
+
+// One triangle of a primitive.
+struct TrianglePlace {
+    const scene::Primitive* primitive = nullptr;
+    size_t triangle = 0;
+
+    [[nodiscard]] mesh::UvTriangle uvTriangle() const { return primitive->uvTriangle(triangle); }
+    [[nodiscard]] int32_t micromapIndex() const { return primitive->micromapIndices[triangle]; }
+};
+
+// The triangles of primitives that have micromaps, each kind once, where it first stands: triangles with
+// equal texture coordinates, vertex alpha and micromap are one kind.
+std::vector<TrianglePlace> distinctTriangles(std::span<const scene::Primitive* const> primitives);
 
 // The triangles of all primitives, one after another.
 std::vector<mesh::UvTriangle> trianglesOf(std::span<scene::Primitive* const> primitives);

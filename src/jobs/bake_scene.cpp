@@ -13,8 +13,6 @@
 namespace filigree::jobs {
 namespace {
 
-using Group = AlphaGroup<scene::Primitive>;
-
 constexpr double maxGuard = 1024;  // texels; what bake::bake takes
 
 AlphaSource sourceToBake(const scene::Material& material, const BakeParameters& parameters) {
@@ -33,8 +31,9 @@ bool isBaked(const scene::Material& material, const BakeParameters& parameters) 
 }
 
 // Drops the micromaps the scene came with and sorts the primitives that get new ones by alpha source.
-std::vector<Group> gatherGroups(scene::Scene& scene, const BakeParameters& parameters, BakeSummary& summary) {
-    std::vector<Group> groups;
+std::vector<AlphaGroup> gatherGroups(scene::Scene& scene, const BakeParameters& parameters,
+                                     BakeSummary& summary) {
+    std::vector<AlphaGroup> groups;
     scene.micromaps.clear();
     for (auto& mesh : scene.meshes) {
         for (auto& primitive : mesh.primitives) {
@@ -122,14 +121,14 @@ uint64_t indexBytes(const std::vector<int32_t>& indices) {
 
 // A group on its way through the stages.
 struct GroupBake {
-    const Group* group;
+    const AlphaGroup* group;
     std::string name;
     image::AlphaTest test;
     bake::Baked baked;
 };
 
-Result<GroupBake> bakeGroup(const scene::Scene& scene, const Group& group, const BakeParameters& parameters,
-                            const Executor& executor, OneStage& stage) {
+Result<GroupBake> bakeGroup(const scene::Scene& scene, const AlphaGroup& group,
+                            const BakeParameters& parameters, const Executor& executor, OneStage& stage) {
     const std::string name = nameOf(scene, group.source);
     const image::AlphaTexture texture = textureOf(scene, group.source);
     const image::AlphaTest test = testFor(group.source, texture);

@@ -6,9 +6,6 @@
 #include "jobs/one_stage.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -18,7 +15,7 @@ namespace {
 // The primitives that share one micromap and one alpha source.
 struct DeepGroup {
     int micromaps = -1;
-    AlphaGroup alpha;
+    ConstAlphaGroup alpha;
 };
 
 // The source that the micromaps claim to hold: the material's own alpha, under the recorded parameters if
@@ -43,10 +40,10 @@ void noteParameters(const scene::Scene& scene, ValidateSummary& summary) {
 }
 
 // Sorts the primitives with micromaps by what they are examined against.
-std::vector<DeepGroup> gatherGroups(scene::Scene& scene, ValidateSummary& summary) {
+std::vector<DeepGroup> gatherGroups(const scene::Scene& scene, ValidateSummary& summary) {
     std::vector<DeepGroup> groups;
-    for (auto& mesh : scene.meshes) {
-        for (auto& primitive : mesh.primitives) {
+    for (const auto& mesh : scene.meshes) {
+        for (const auto& primitive : mesh.primitives) {
             if (primitive.micromaps < 0) continue;
             if (primitive.material < 0 ||
                 scene.materials[static_cast<size_t>(primitive.material)].alphaMode ==
@@ -78,72 +75,45 @@ std::string describe(const verify::Finding& finding, uint64_t triangle) {
                        truths[static_cast<size_t>(finding.truth)]);
 }
 
-// The triangles of a group, each kind once: triangles with equal texture coordinates, vertex alpha and
-// micromap are equally true.
-struct Work {
-    struct Place {
-        const scene::Primitive* primitive;
-        size_t triangle;
-    };
-    std::vector<mesh::UvTriangle> triangles;
-    std::vector<int32_t> indices;  // of their micromaps
-    std::vector<Place> places;     // where each stands first
-};
+using Places = std::vector<TrianglePlace>;
 
-Work distinctTriangles(const AlphaGroup& group) {
-    Work work;
-    std::set<std::array<uint32_t, 10>> seen;
-    for (const auto* primitive : group.primitives) {
-        for (size_t t = 0; t < primitive->triangleCount(); ++t) {
-            const auto triangle = primitive->uvTriangle(t);
-            const int32_t index = primitive->micromapIndices[t];
-            std::array<uint32_t, 10> bits{static_cast<uint32_t>(index)};
-            for (size_t k = 0; k < 3; ++k) {
-                bits[3 * k + 1] = std::bit_cast<uint32_t>(triangle.uv[k].u);
-                bits[3 * k + 2] = std::bit_cast<uint32_t>(triangle.uv[k].v);
-                bits[3 * k + 3] = std::bit_cast<uint32_t>(triangle.alpha[k]);
-            }
-            if (!seen.insert(bits).second) continue;
-            work.triangles.push_back(triangle);
-            work.indices.push_back(index);
-            work.places.push_back({primitive, t});
-        }
-    }
-    return work;
-}
-
-uint64_t microTriangles(const Work& work, const micromap::FlatSet& set) {
+uint64_t microTriangles(const Places& places, const micromap::FlatSet& set) {
     uint64_t count = 0;
-    for (const int32_t index : work.indices) {
+    for (const auto& place : places) {
+        const int32_t index = place.micromapIndex();
         count += index < 0 ? 1 : micromap::microTriangleCount(set.records[static_cast<size_t>(index)].level);
     }
     return count;
 }
 
-void addFindings(const Work& work, const std::vector<verify::Finding>& findings, ValidateSummary& summary) {
+void addFindings(const Places& places, const std::vector<verify::Finding>& findings,
+                 ValidateSummary& summary) {
     for (const auto& finding : findings) {
-        const auto& [primitive, triangle] = work.places[finding.triangle];
+        const auto& [primitive, triangle] = places[finding.triangle];
         summary.breaches.push_back(
             {fmt::format("/meshes/{}/primitives/{}", primitive->meshIndex, primitive->primitiveIndex),
              "a known state is true throughout", describe(finding, triangle)});
     }
 }
 
-Status examine(scene::Scene& scene, const DeepGroup& group, Work work, double sample,
+Status examine(scene::Scene& scene, const DeepGroup& group, const Places& places, double sample,
                const Executor& executor, ProgressSink& progress, ValidateSummary& summary) {
     auto& set = scene.micromaps[static_cast<size_t>(group.micromaps)].set;
     const auto texture = textureOf(scene, group.alpha.source);
     const auto test = testFor(group.alpha.source, texture);
-    set.indices = std::move(work.indices);
-    const auto counts =
-        verify::deepCheck(work.triangles, set, texture, test, {sample, 1}, executor, progress);
+    std::vector<mesh::UvTriangle> triangles;
+    for (const auto& place : places) {
+        triangles.push_back(place.uvTriangle());
+        set.indices.push_back(place.micromapIndex());
+    }
+    const auto counts = verify::deepCheck(triangles, set, texture, test, {sample, 1}, executor, progress);
     set.indices.clear();
     if (!counts) return counts.error().within(nameOf(scene, group.alpha.source));
     summary.deep->microTriangles += counts->microTriangles;
     summary.deep->wrong += counts->wrong;
     summary.deep->overCautious += counts->overCautious;
     summary.deep->uncertain += counts->uncertain;
-    addFindings(work, counts->first, summary);
+    addFindings(places, counts->first, summary);
     return {};
 }
 
@@ -154,15 +124,15 @@ Status validateDeep(scene::Scene& scene, double sample, const Executor& executor
     summary.deep.emplace();
     noteParameters(scene, summary);
     const auto groups = gatherGroups(scene, summary);
-    std::vector<Work> works;
+    std::vector<Places> work;
     uint64_t total = 0;
     for (const auto& group : groups) {
-        works.push_back(distinctTriangles(group.alpha));
-        total += microTriangles(works.back(), scene.micromaps[static_cast<size_t>(group.micromaps)].set);
+        work.push_back(distinctTriangles(group.alpha.primitives));
+        total += microTriangles(work.back(), scene.micromaps[static_cast<size_t>(group.micromaps)].set);
     }
     OneStage stage(progress, "examine", total, "micro-triangles");
     for (size_t g = 0; g < groups.size(); ++g) {
-        auto examined = examine(scene, groups[g], std::move(works[g]), sample, executor, stage, summary);
+        auto examined = examine(scene, groups[g], work[g], sample, executor, stage, summary);
         if (!examined) return examined;
     }
     return {};

@@ -58,7 +58,7 @@ void nameSheets(const scene::Scene& scene, std::vector<Sheet>& sheets) {
 Result<report::Picture> drawSheet(const scene::Scene& scene, Sheet& sheet,
                                   const std::filesystem::path& folder) {
     InspectedTexture& m = sheet.measured;
-    const auto triangles = distinctTriangles(scene, sheet.group);
+    const auto triangles = overlayTriangles(scene, sheet.group);
     const OverlayLegend legend{
         fmt::format("{}: {} x {} texels, {} triangles", m.name, m.width, m.height, m.triangles),
         m.areaShares()};

@@ -2,13 +2,10 @@
 
 #include "filigree/micromap/quadtree.h"
 
-#include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -123,11 +120,7 @@ std::vector<TextureGroup> textureGroups(const scene::Scene& scene, std::vector<s
                                 primitive.meshIndex, primitive.primitiveIndex));
                 continue;
             }
-            const AlphaSource source = sourceOf(*materialOf(scene, primitive));
-            auto group =
-                std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.source == source; });
-            if (group == groups.end()) group = groups.insert(group, {source, {}});
-            group->primitives.push_back(&primitive);
+            addToGroup(groups, sourceOf(*materialOf(scene, primitive)), primitive);
         }
     }
     return groups;
@@ -144,22 +137,11 @@ InspectedTexture measure(const scene::Scene& scene, const TextureGroup& group) {
     return texture;
 }
 
-std::vector<OverlayTriangle> distinctTriangles(const scene::Scene& scene, const TextureGroup& group) {
+std::vector<OverlayTriangle> overlayTriangles(const scene::Scene& scene, const TextureGroup& group) {
     std::vector<OverlayTriangle> triangles;
-    std::set<std::array<uint32_t, 8>> seen;
-    for (const auto* primitive : group.primitives) {
-        const auto& set = scene.micromaps[static_cast<size_t>(primitive->micromaps)].set;
-        for (size_t t = 0; t < primitive->triangleCount(); ++t) {
-            const auto uv = primitive->uvTriangle(t).uv;
-            const int32_t index = primitive->micromapIndices[t];
-            std::array<uint32_t, 8> key{static_cast<uint32_t>(primitive->micromaps),
-                                        static_cast<uint32_t>(index)};
-            for (size_t k = 0; k < 3; ++k) {
-                key[2 * k + 2] = std::bit_cast<uint32_t>(uv[k].u);
-                key[2 * k + 3] = std::bit_cast<uint32_t>(uv[k].v);
-            }
-            if (seen.insert(key).second) triangles.push_back({uv, &set, index});
-        }
+    for (const auto& place : distinctTriangles(group.primitives)) {
+        const auto& micromaps = scene.micromaps[static_cast<size_t>(place.primitive->micromaps)];
+        triangles.push_back({place.uvTriangle().uv, &micromaps.set, place.micromapIndex()});
     }
     return triangles;
 }

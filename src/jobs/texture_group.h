@@ -12,10 +12,7 @@
 
 namespace filigree::jobs {
 
-struct TextureGroup {
-    AlphaSource source;
-    std::vector<const scene::Primitive*> primitives;
-};
+using TextureGroup = ConstAlphaGroup;
 
 // Primitives with micromaps by alpha source, in scene order. Those whose material has no alpha, or whose
 // image has none decoded, are left out with a note.
@@ -24,7 +21,7 @@ std::vector<TextureGroup> textureGroups(const scene::Scene& scene, std::vector<s
 // Counts and areas; name, picture and drawnTriangles stay empty.
 InspectedTexture measure(const scene::Scene& scene, const TextureGroup& group);
 
-// Each kind of triangle once: by texture coordinates and micromap. They look into `scene`.
-std::vector<OverlayTriangle> distinctTriangles(const scene::Scene& scene, const TextureGroup& group);
+// Its triangles to draw, each kind once. They look into `scene`.
+std::vector<OverlayTriangle> overlayTriangles(const scene::Scene& scene, const TextureGroup& group);
 
 }  // namespace filigree::jobs
