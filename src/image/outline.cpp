@@ -1,5 +1,7 @@
 #include "filigree/image/outline.h"
 
+#include "image/threshold_bits.h"
+
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -250,39 +252,48 @@ const uint16_t* Outline::texelRow(int64_t row) const {
 std::vector<uint64_t> Outline::opaqueBits(int64_t row) const {
     const uint16_t* texels = texelRow(row);
     std::vector<uint64_t> bits(columns_.size() / 64 + 2, 0);
-    const uint32_t lowest = threshold_.lowestOpaque;
-    for (size_t x = 0; x < columns_.size(); x += 64) {
-        const size_t count = std::min<size_t>(64, columns_.size() - x);
-        uint64_t word = 0;
-        for (size_t k = 0; k < count; ++k) word |= uint64_t{texels[columns_[x + k]] >= lowest} << k;
-        bits[x / 64] = word;
+    const size_t size = axisX_.size;
+    if (axisX_.wrap == Wrap::repeat) {
+        thresholdBits(texels, size, threshold_.lowestOpaque, bits.data());
+        bits[size / 64] |= uint64_t{texels[0] >= threshold_.lowestOpaque} << (size % 64);
+    } else {
+        std::vector<uint16_t> inOrder(columns_.size());
+        std::ranges::transform(columns_, inOrder.begin(), [&](uint32_t column) { return texels[column]; });
+        thresholdBits(inOrder.data(), inOrder.size(), threshold_.lowestOpaque, bits.data());
     }
     return bits;
 }
 
+std::vector<uint64_t> Outline::crossedBits(const std::vector<uint64_t>& low,
+                                           const std::vector<uint64_t>& high) const {
+    std::vector<uint64_t> crossed(low.size() - 1);
+    for (size_t w = 0; w < crossed.size(); ++w) {
+        const uint64_t lowRight = (low[w] >> 1) | (low[w + 1] << 63);
+        const uint64_t highRight = (high[w] >> 1) | (high[w + 1] << 63);
+        crossed[w] = (low[w] | lowRight | high[w] | highRight) & ~(low[w] & lowRight & high[w] & highRight);
+    }
+    const auto cells = static_cast<size_t>(axisX_.cells);
+    crossed[cells / 64] &= (uint64_t{1} << (cells % 64)) - 1;
+    return crossed;
+}
+
 void Outline::buildBand(int64_t firstRow) {
     const int64_t rows = std::min(bandRows, axisY_.cells - firstRow);
-    std::array<std::vector<uint64_t>, bandRows + 1> opaque;
-    for (int64_t r = 0; r < rows; ++r) opaque[r] = opaqueBits(axisY_.representative(firstRow + r));
-    opaque[rows] = opaqueBits(axisY_.representative(firstRow + rows - 1) + 1);
+    std::array<std::vector<uint64_t>, bandRows> crossed;
+    std::vector<uint64_t> low = opaqueBits(axisY_.representative(firstRow));
+    for (int64_t r = 0; r < rows; ++r) {
+        std::vector<uint64_t> high = opaqueBits(axisY_.representative(firstRow + r) + 1);
+        crossed[static_cast<size_t>(r)] = crossedBits(low, high);
+        low = std::move(high);
+    }
     for (size_t bucket = 0; bucket < rowBuckets_; ++bucket) {
         bucketStart_.push_back(static_cast<uint32_t>(pieces_.cell.size()));
         const size_t first = bucket * bucketCells;
-        const size_t cells = std::min<size_t>(bucketCells, static_cast<size_t>(axisX_.cells) - first);
-        const auto bits = [&](int64_t r) {
-            const std::vector<uint64_t>& row = opaque[static_cast<size_t>(r)];
-            return (row[first / 64] >> (first % 64)) | (row[first / 64 + 1] << 1 << (63 - first % 64));
-        };
-        uint64_t low = bits(0);
         for (int64_t r = 0; r < rows; ++r) {
-            const uint64_t high = bits(r + 1);
-            const uint64_t any = low | (low >> 1) | high | (high >> 1);
-            const uint64_t all = low & (low >> 1) & high & (high >> 1);
-            uint64_t crossed = any & ~all & ((uint64_t{1} << cells) - 1);
-            for (; crossed != 0; crossed &= crossed - 1) {
-                appendCell(first + static_cast<size_t>(std::countr_zero(crossed)), firstRow + r);
+            uint64_t bits = (crossed[static_cast<size_t>(r)][first / 64] >> (first % 64)) & 0xff;
+            for (; bits != 0; bits &= bits - 1) {
+                appendCell(first + static_cast<size_t>(std::countr_zero(bits)), firstRow + r);
             }
-            low = high;
         }
     }
 }

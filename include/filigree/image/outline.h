@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -127,13 +128,21 @@ class Outline {
         return row + std::min(bandRows - 1 - y % bandRows, axisY_.cells - 1 - y);
     }
 
+    // The last of the rows from `row` on that crosses() serves together: those of its band, or all beyond a
+    // clamped border, which are copies of one row.
+    [[nodiscard]] int64_t alikeEnd(int64_t row) const {
+        if (axisY_.clamps() && row < -1) return -2;
+        if (axisY_.clamps() && row >= axisY_.size) return std::numeric_limits<int64_t>::max();
+        return bandEnd(row);
+    }
+
     // Calls visit(run) for the pieces in `cells`, whose rows must lie in one band; a run may hold a few
     // neighbours more. Stops early and returns false when visit returns false.
     template <class Visit>
     bool forEachRun(const Cells& cells, Visit&& visit) const;
 
-    // True when any of `cells`, whose rows must lie in one band, is crossed; may be true for a crossing next
-    // to them.
+    // True when any of `cells`, whose rows must lie in one band or all beyond a clamped border, is crossed;
+    // may be true for a crossing next to them.
     [[nodiscard]] bool crosses(const Cells& cells) const {
         return !forEachRun(cells, [](const Run&) { return false; });
     }
@@ -170,8 +179,9 @@ class Outline {
     [[nodiscard]] size_t memoryBytes() const;
 
   private:
-    static constexpr int64_t bandRows = 4;     // pieces are kept by band of rows,
-    static constexpr int64_t bucketCells = 8;  // in a band by bucket of columns, in a bucket by row
+    static constexpr int64_t bandRows = 4;  // pieces are kept by band of rows,
+    static constexpr int64_t bucketCells =
+        8;  // in a band by bucket of columns (a byte of bits), in a bucket by row
 
     void build();
     void buildBand(int64_t firstRow);
@@ -179,6 +189,9 @@ class Outline {
     [[nodiscard]] const uint16_t* texelRow(int64_t row) const;
     // The side of each texel of an unwrapped row in the order of the canonical cells.
     [[nodiscard]] std::vector<uint64_t> opaqueBits(int64_t row) const;
+    // Which cells lie between texels of unlike side, given those of the rows below and above them.
+    [[nodiscard]] std::vector<uint64_t> crossedBits(const std::vector<uint64_t>& low,
+                                                    const std::vector<uint64_t>& high) const;
 
     // The pieces of the buckets that hold the canonical cells [first, last] of canonical row `row`'s band.
     [[nodiscard]] Run run(int64_t row, int64_t first, int64_t last) const {
@@ -202,10 +215,12 @@ bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
     const int64_t rowShift = cells.firstRow - y;
     const bool copiedRow = axisY_.clamps() && (cells.firstRow < -1 || cells.firstRow >= axisY_.size);
     // Beyond a clamped border every cell is a copy of the border's, which has to be picked out of its bucket.
+    const auto isPicked = [&](size_t k, int64_t column, bool anyColumn) {
+        return (anyColumn || pieces_.cell[k] == column) && (!copiedRow || pieces_.row[k] == y);
+    };
     const auto pick = [&](int64_t column, bool anyColumn, const Run& from, int64_t columnShift) {
         for (size_t k = from.first; k < from.end; ++k) {
-            if (!anyColumn && pieces_.cell[k] != column) continue;
-            if (copiedRow && pieces_.row[k] != y) continue;
+            if (!isPicked(k, column, anyColumn)) continue;
             if (!visit(Run{k, k + 1, columnShift, rowShift})) return false;
         }
         return true;
@@ -229,8 +244,10 @@ bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
     }
     const int64_t border = axisX_.size;
     const auto copies = [&](int64_t first, int64_t last, int64_t column) {
-        const Run from = run(y, column, column);
-        for (int64_t x = first; x <= last && from.first < from.end; ++x) {
+        Run from = run(y, column, column);
+        while (from.first < from.end && !isPicked(from.first, column, false)) ++from.first;
+        if (from.first == from.end) return true;
+        for (int64_t x = first; x <= last; ++x) {
             if (!pick(column, false, from, x - column)) return false;
         }
         return true;

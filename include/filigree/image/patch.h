@@ -80,9 +80,13 @@ struct PatchRange {
         upper = std::max(upper, value);
     }
     void add(const Bounded& value) {
-        lower = std::min(lower, value.value() - value.error());
-        upper = std::max(upper, value.value() + value.error());
+        const bool bounded = std::isfinite(value.value()) && std::isfinite(value.error());
+        lower = std::min(lower, bounded ? value.value() - value.error() : -infinity);
+        upper = std::max(upper, bounded ? value.value() + value.error() : infinity);
     }
+
+  private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 
 // True unless `v` is surely below 0: keeps what rounding cannot tell.
@@ -102,10 +106,11 @@ inline bool isNotNegative(double v) {
 
 namespace detail {
 
-// Cuts away the part of `polygon` where distance(p) < 0 (Sutherland and Hodgman 1974), but not what rounding
-// cannot tell.
-template <class Real, class Distance>
-void cut(PatchPolygon<Real>& polygon, double slack, Distance&& distance) {
+// Cuts away the part of `polygon` where sign * (axis - bound) < 0 (Sutherland and Hodgman 1974), but not what
+// rounding cannot tell.
+template <class Real>
+void cut(PatchPolygon<Real>& polygon, double slack, Real PatchPoint<Real>::*axis, double bound, double sign) {
+    const auto distance = [&](const PatchPoint<Real>& p) { return Real(sign) * (p.*axis - Real(bound)); };
     const size_t n = polygon.size();
     std::array<bool, PatchPolygon<Real>::capacity> keep;
     size_t kept = 0;
@@ -124,7 +129,9 @@ void cut(PatchPolygon<Real>& polygon, double slack, Distance&& distance) {
         const PatchPoint<Real>& q = polygon[next];
         const Real dp = distance(p);
         const Real t = dp / (dp - distance(q));
-        inside.push({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+        PatchPoint<Real> met{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+        met.*axis = Real(bound);  // exactly, which the sum above may have lost
+        inside.push(met);
     }
     polygon = inside;
 }
@@ -155,10 +162,10 @@ PatchPolygon<Real> clipped(const PatchPolygon<Real>& polygon, double x0, double 
                            double slack = 0) {
     using Point = PatchPoint<Real>;
     PatchPolygon<Real> inside = polygon;
-    detail::cut(inside, slack, [&](const Point& p) { return p.x - Real(x0); });
-    detail::cut(inside, slack, [&](const Point& p) { return Real(x1) - p.x; });
-    detail::cut(inside, slack, [&](const Point& p) { return p.y - Real(y0); });
-    detail::cut(inside, slack, [&](const Point& p) { return Real(y1) - p.y; });
+    detail::cut(inside, slack, &Point::x, x0, 1);
+    detail::cut(inside, slack, &Point::x, x1, -1);
+    detail::cut(inside, slack, &Point::y, y0, 1);
+    detail::cut(inside, slack, &Point::y, y1, -1);
     return inside;
 }
 
