@@ -203,6 +203,7 @@ class Tracer {
 
     void run() {
         for (int64_t row = rows_.firstRow(); row <= rows_.lastRow() && left_ > 0;) {
+            row = skipBareCopies(row);
             const int64_t last = std::min(outline_.bandEnd(row), rows_.lastRow());
             const TriangleRows::Columns columns = rows_.columns(row, last);
             outline_.forEachRun({row, last, columns.first, columns.last},
@@ -219,6 +220,17 @@ class Tracer {
         int64_t x;
         int64_t y;
     };
+
+    // The first row from `row` on to look at: of rows beyond a clamped border, a triangle may hold millions.
+    [[nodiscard]] int64_t skipBareCopies(int64_t row) const {
+        int64_t last = std::min(outline_.alikeEnd(row), rows_.lastRow());
+        if (last == outline_.bandEnd(row)) return row;
+        for (; last > row; last = row + (last - row) / 2) {
+            const TriangleRows::Columns columns = rows_.columns(row, last);
+            if (!outline_.crosses({row, last, columns.first, columns.last})) return last;
+        }
+        return row;
+    }
 
     void addRun(const image::Outline::Run& all) {
         image::Outline::Run part = all;
@@ -362,7 +374,7 @@ bool mayCross(const SubTriangle& part, const Placement& placement, const image::
     if (outline.empty()) return false;
     const TriangleRows rows(cornersOf(part, placement), marginOf(placement, guard));
     for (int64_t row = rows.firstRow(); row <= rows.lastRow();) {
-        const int64_t last = std::min(outline.bandEnd(row), rows.lastRow());
+        const int64_t last = std::min(outline.alikeEnd(row), rows.lastRow());
         const TriangleRows::Columns columns = rows.columns(row, last);
         if (outline.crosses({row, last, columns.first, columns.last})) return true;
         row = last + 1;

@@ -215,12 +215,12 @@ bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
     const int64_t rowShift = cells.firstRow - y;
     const bool copiedRow = axisY_.clamps() && (cells.firstRow < -1 || cells.firstRow >= axisY_.size);
     // Beyond a clamped border every cell is a copy of the border's, which has to be picked out of its bucket.
-    const auto isPicked = [&](size_t k, int64_t column, bool anyColumn) {
-        return (anyColumn || pieces_.cell[k] == column) && (!copiedRow || pieces_.row[k] == y);
+    const auto isPicked = [&](size_t k, int64_t first, int64_t last) {
+        return pieces_.cell[k] >= first && pieces_.cell[k] <= last && (!copiedRow || pieces_.row[k] == y);
     };
-    const auto pick = [&](int64_t column, bool anyColumn, const Run& from, int64_t columnShift) {
+    const auto pick = [&](int64_t first, int64_t last, const Run& from, int64_t columnShift) {
         for (size_t k = from.first; k < from.end; ++k) {
-            if (!isPicked(k, column, anyColumn)) continue;
+            if (!isPicked(k, first, last)) continue;
             if (!visit(Run{k, k + 1, columnShift, rowShift})) return false;
         }
         return true;
@@ -228,7 +228,7 @@ bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
     const auto within = [&](int64_t first, int64_t last, int64_t columnShift) {
         const Run found = run(y, first, last);
         if (found.first == found.end) return true;
-        if (copiedRow) return pick(0, true, found, columnShift);
+        if (copiedRow) return pick(first, last, found, columnShift);
         return visit(Run{found.first, found.end, columnShift, rowShift});
     };
     if (!axisX_.clamps()) {
@@ -245,10 +245,10 @@ bool Outline::forEachRun(const Cells& cells, Visit&& visit) const {
     const int64_t border = axisX_.size;
     const auto copies = [&](int64_t first, int64_t last, int64_t column) {
         Run from = run(y, column, column);
-        while (from.first < from.end && !isPicked(from.first, column, false)) ++from.first;
+        while (from.first < from.end && !isPicked(from.first, column, column)) ++from.first;
         if (from.first == from.end) return true;
         for (int64_t x = first; x <= last; ++x) {
-            if (!pick(column, false, from, x - column)) return false;
+            if (!pick(column, column, from, x - column)) return false;
         }
         return true;
     };
