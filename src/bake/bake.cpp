@@ -71,11 +71,11 @@ class Bake {
         chunks_.resize((count + chunkTriangles - 1) / chunkTriangles);
         progress.begin("bake", count, "triangles");
         executor.parallelFor(chunks_.size(), 1, [&](size_t begin, size_t end) {
-            BitWriter stream;
+            Classified scratch;
             for (size_t c = begin; c < end && !progress.cancelled(); ++c) {
                 const size_t first = c * chunkTriangles;
                 const size_t last = std::min(count, first + chunkTriangles);
-                for (size_t d = first; d < last; ++d) classifyOne(d, executor, stream, chunks_[c]);
+                for (size_t d = first; d < last; ++d) classifyOne(d, executor, scratch, chunks_[c]);
                 progress.advance(last - first);
             }
         });
@@ -107,15 +107,15 @@ class Bake {
     }
 
   private:
-    void classifyOne(size_t d, const Executor& executor, BitWriter& stream, Chunk& chunk) const {
+    void classifyOne(size_t d, const Executor& executor, Classified& scratch, Chunk& chunk) const {
         const uint32_t t = distinct_.representative[d];
-        stream.clear();
+        scratch.clear();
         fields_.classify(triangles_[t], levels_[t], settings_.format == micromap::Format::twoState, executor,
-                         stream);
-        const micromap::QuadtreeView tree{stream.words(), stream.size(), levels_[t]};
+                         scratch);
+        const micromap::QuadtreeView tree{scratch.stream.words(), scratch.stream.size(), levels_[t]};
         chunk.trees.push(tree);
         chunk.hashes.push_back(micromap::hash(tree));
-        chunk.states.push_back(micromap::countStates(tree));
+        chunk.states.push_back(scratch.states);
     }
 
     [[nodiscard]] Statistics statistics() const {
@@ -125,7 +125,7 @@ class Bake {
         for (size_t t = 0; t < triangles_.size(); ++t) {
             const uint32_t d = distinct_.number[t];
             const micromap::StateCounts& states = chunks_[d / chunkTriangles].states[d % chunkTriangles];
-            for (size_t s = 0; s < 4; ++s) statistics.states.of[s] += states.of[s];
+            statistics.states.add(states);
             statistics.microTriangles += states.total();
             ++statistics.trianglesAt[levels_[t]];
             if (!mesh::isFinite(triangles_[t])) ++statistics.nonFiniteTriangles;

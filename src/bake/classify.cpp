@@ -5,7 +5,7 @@
 #include "bake/majority.h"
 #include "bake/trace.h"
 
-#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -23,31 +23,45 @@ std::optional<bool> sideOf(const SubTriangle& part, const Placement& placement,
     const Point<double> a = part.position(placement, 0, 0);
     const Point<double> b = part.position(placement, n, 0);
     const Point<double> c = part.position(placement, 0, n);
-    image::Outline::Side best;
-    for (const Point<double>& p : {Point<double>{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, a, b, c}) {
+    image::Outline::Side best = outline.sideAt((a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3);
+    if (best.distance > 1e-3) return best.opaque;
+    for (const Point<double>& p : {a, b, c}) {
         const image::Outline::Side side = outline.sideAt(p.x, p.y);
         if (side.distance > best.distance) best = side;
-        if (best.distance > 1e-3) break;
     }
     return best.distance > 1e-9 ? std::optional(best.opaque) : std::nullopt;
+}
+
+micromap::StateCounts countStates(const Tile& tile, bool twoState) {
+    micromap::StateCounts counts;
+    const uint64_t used = tile.count() < 64 ? (uint64_t{1} << tile.count()) - 1 : ~uint64_t{0};
+    for (uint32_t k = 0; k < tile.count(); k += 64) {
+        const uint64_t unknown = twoState ? 0 : tile.unknown.word(k / 64);
+        const uint64_t side = tile.side.word(k / 64);
+        counts.of[0] += static_cast<unsigned>(std::popcount(~unknown & ~side & used));
+        counts.of[1] += static_cast<unsigned>(std::popcount(~unknown & side));
+        counts.of[2] += static_cast<unsigned>(std::popcount(unknown & ~side));
+        counts.of[3] += static_cast<unsigned>(std::popcount(unknown & side));
+    }
+    return counts;
 }
 
 class Classifier {
   public:
     Classifier(const mesh::UvTriangle& triangle, const Field& field, bool twoState)
-        : field_(field), twoState_(twoState), sidePlacement_(triangle, field.sideOutline()) {
+        : field_(field), twoState_(twoState) {
         for (const Layer& layer : field.layers()) placements_.emplace_back(triangle, layer.outline);
     }
 
     // Appends the quadtree of `part`. Returns the state when it is one leaf, else -1.
-    int visit(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
+    int visit(const SubTriangle& part, const Executor& executor, Classified& to) const {
         if (part.height > tileLevel || !fitsTile(part)) {
             if (const int state = uniformState(part); state >= 0) {
-                return micromap::appendLeaf(stream, part.height, twoState_ ? state & 1 : state);
+                return to.appendLeaf(part.height, twoState_ ? state & 1 : state);
             }
-            if (part.height > 0) return visitChildren(part, executor, stream);
+            if (part.height > 0) return visitChildren(part, executor, to);
         }
-        return visitTile(part, stream);
+        return visitTile(part, to);
     }
 
   private:
@@ -57,8 +71,8 @@ class Classifier {
             if (mayCross(part, placements_[k], field_.layers()[k].outline, field_.guard())) return -1;
         }
         if (const std::optional<bool> side = commonSide(part)) return *side ? 1 : 0;
-        if (mayCross(part, sidePlacement_, field_.sideOutline(), 0)) return -1;
-        return sideOf(part, sidePlacement_, field_.sideOutline()).value_or(true) ? 3 : 2;
+        if (mayCross(part, sidePlacement(), field_.sideOutline(), 0)) return -1;
+        return sideOf(part, sidePlacement(), field_.sideOutline()).value_or(true) ? 3 : 2;
     }
 
     // The side of a part that no outline crosses, where all layers agree on it.
@@ -91,25 +105,28 @@ class Classifier {
         return true;
     }
 
-    int visitChildren(const SubTriangle& part, const Executor& executor, BitWriter& stream) const {
+    int visitChildren(const SubTriangle& part, const Executor& executor, Classified& to) const {
         if (part.height < parallelHeight || executor.concurrency() == 1) {
-            return micromap::appendInner(stream, part.height,
-                                         [&](unsigned k) { return visit(part.child(k), executor, stream); });
+            return micromap::appendInner(to.stream, part.height,
+                                         [&](unsigned k) { return visit(part.child(k), executor, to); });
         }
-        const size_t start = stream.size();
-        std::array<BitWriter, 4> streams;
+        const size_t start = to.stream.size();
+        std::array<Classified, 4> children;
         std::array<int, 4> states{};
         executor.parallelFor(4, 1, [&](size_t begin, size_t end) {
             for (size_t k = begin; k < end; ++k) {
-                states[k] = visit(part.child(static_cast<unsigned>(k)), executor, streams[k]);
+                states[k] = visit(part.child(static_cast<unsigned>(k)), executor, children[k]);
             }
         });
-        stream.append(1, 1);
-        for (const BitWriter& child : streams) stream.append(child);
-        return micromap::endInner(stream, start, part.height, states);
+        to.stream.append(1, 1);
+        for (const Classified& child : children) {
+            to.stream.append(child.stream);
+            to.states.add(child.states);
+        }
+        return micromap::endInner(to.stream, start, part.height, states);
     }
 
-    int visitTile(const SubTriangle& part, BitWriter& stream) const {
+    int visitTile(const SubTriangle& part, Classified& to) const {
         Tile tile;
         tile.reset(part.height);
         for (size_t k = 0; k < placements_.size(); ++k) {
@@ -117,7 +134,8 @@ class Classifier {
         }
         fillClear(part, tile);
         decideUnknown(part, tile);
-        return appendTile(tile, twoState_, stream);
+        to.states.add(countStates(tile, twoState_));
+        return appendTile(tile, twoState_, to.stream);
     }
 
     // Gives each run of clear micro-triangles its state. Neighbours on the curve share a corner, so a run
@@ -149,23 +167,30 @@ class Classifier {
         const uint32_t first = tile.unknown.find(true, 0, tile.count());
         if (first == tile.count()) return;
         const TileCurve& curve = TileCurve::of(part.height);
-        const SideRule rule(part, sidePlacement_, field_.sideOutline());
+        const SideRule rule(part, sidePlacement(), field_.sideOutline());
         for (uint32_t k = first; k < tile.count(); k = tile.unknown.find(true, k + 1, tile.count())) {
             if (rule.isOpaque(curve.triangle(k))) tile.side.set(k);
         }
     }
 
+    // The side outline lies at mip level 0, as the first layer does.
+    [[nodiscard]] const Placement& sidePlacement() const { return placements_.front(); }
+
     const Field& field_;
     bool twoState_;
-    Placement sidePlacement_;
     std::vector<Placement> placements_;  // one a layer
 };
 
 }  // namespace
 
+int Classified::appendLeaf(unsigned height, int state) {
+    states.of[static_cast<size_t>(state)] += micromap::microTriangleCount(height);
+    return micromap::appendLeaf(stream, height, state);
+}
+
 void classify(const mesh::UvTriangle& triangle, const Field& field, unsigned level, bool twoState,
-              const Executor& executor, BitWriter& stream) {
-    Classifier(triangle, field, twoState).visit(SubTriangle::whole(level), executor, stream);
+              const Executor& executor, Classified& to) {
+    Classifier(triangle, field, twoState).visit(SubTriangle::whole(level), executor, to);
 }
 
 }  // namespace filigree::bake

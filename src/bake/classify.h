@@ -13,11 +13,24 @@
 
 namespace filigree::bake {
 
+// A quadtree stream (micromap/quadtree.h) and how many micro-triangles have each state.
+struct Classified {
+    BitWriter stream;
+    micromap::StateCounts states;
+
+    void clear() {
+        stream.clear();
+        states = {};
+    }
+    // Appends a leaf of 4^height micro-triangles and returns its state.
+    int appendLeaf(unsigned height, int state);
+};
+
 // Classifies the micro-triangles of `triangle`, which must be placeable (placement.h), at `level` and appends
-// them to `stream` as a canonical quadtree (micromap/quadtree.h). Parts that no outline crosses are decided
-// at once and the rest follows the outline. With `twoState`, unknowns become the side that is greater. Large
-// micromaps are worked on in parallel.
+// them to `to` as a canonical quadtree. Parts that no outline crosses are decided at once and the rest
+// follows the outline. With `twoState`, unknowns become the side that is greater. Large micromaps are worked
+// on in parallel.
 void classify(const mesh::UvTriangle& triangle, const Field& field, unsigned level, bool twoState,
-              const Executor& executor, BitWriter& stream);
+              const Executor& executor, Classified& to);
 
 }  // namespace filigree::bake

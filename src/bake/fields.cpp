@@ -1,7 +1,5 @@
 #include "bake/fields.h"
 
-#include "filigree/micromap/quadtree_writer.h"
-
 #include "bake/classify.h"
 #include "bake/placement.h"
 
@@ -29,17 +27,17 @@ Fields::Fields(const image::AlphaTexture& texture, const image::AlphaTest& test,
 }
 
 void Fields::classify(const mesh::UvTriangle& triangle, unsigned level, bool twoState,
-                      const Executor& executor, BitWriter& stream) const {
+                      const Executor& executor, Classified& to) const {
     const image::AlphaImage& image = chain_.levels().front()->image;
     if (!isPlaceable(triangle, image.width, image.height)) {
-        micromap::appendLeaf(stream, level, twoState ? 1 : 3);
+        to.appendLeaf(level, twoState ? 1 : 3);
         return;
     }
     const auto field = isConstant(triangle) ? constant_.find(triangle.alpha[0]) : constant_.end();
     if (field != constant_.end()) {
-        bake::classify(triangle, field->second, level, twoState, executor, stream);
+        bake::classify(triangle, field->second, level, twoState, executor, to);
     } else {
-        classifyShaded(triangle, *shaded_, level, twoState, stream);
+        classifyShaded(triangle, *shaded_, level, twoState, to);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "filigree/core/executor.h"
 #include "filigree/mesh/uv_triangle.h"
 
+#include "bake/classify.h"
 #include "bake/field.h"
 #include "bake/shaded.h"
 
@@ -22,7 +23,7 @@ class Fields {
     // Appends the quadtree of one of the triangles; one that cannot be placed (placement.h) is
     // unknown-opaque.
     void classify(const mesh::UvTriangle& triangle, unsigned level, bool twoState, const Executor& executor,
-                  BitWriter& stream) const;
+                  Classified& to) const;
 
   private:
     // More vertex alphas than this are bounded instead of traced: each outline costs as much as the texture.

@@ -49,21 +49,21 @@ class ShadedClassifier {
         }
     }
 
-    int visit(const SubTriangle& part, BitWriter& stream) const {
+    int visit(const SubTriangle& part, Classified& to) const {
         if (const int state = provenState(roughRange(part), field_.test()); state >= 0)
-            return leaf(part, state, stream);
+            return leaf(part, state, to);
         if (part.height > 0) {
-            return micromap::appendInner(stream, part.height,
-                                         [&](unsigned k) { return visit(part.child(k), stream); });
+            return micromap::appendInner(to.stream, part.height,
+                                         [&](unsigned k) { return visit(part.child(k), to); });
         }
         if (const int state = provenState(exactRange(part), field_.test()); state >= 0)
-            return leaf(part, state, stream);
-        return leaf(part, isOpaqueSide(part) ? 3 : 2, stream);
+            return leaf(part, state, to);
+        return leaf(part, isOpaqueSide(part) ? 3 : 2, to);
     }
 
   private:
-    int leaf(const SubTriangle& part, int state, BitWriter& stream) const {
-        return micromap::appendLeaf(stream, part.height, twoState_ ? state & 1 : state);
+    int leaf(const SubTriangle& part, int state, Classified& to) const {
+        return to.appendLeaf(part.height, twoState_ ? state & 1 : state);
     }
 
     // Vertex alpha times the factor at a lattice point of the whole triangle.
@@ -228,8 +228,8 @@ ShadedField::ShadedField(const MipChain& chain, const image::AlphaTest& test) : 
 }
 
 void classifyShaded(const mesh::UvTriangle& triangle, const ShadedField& field, unsigned level, bool twoState,
-                    BitWriter& stream) {
-    ShadedClassifier(triangle, field, twoState).visit(SubTriangle::whole(level), stream);
+                    Classified& to) {
+    ShadedClassifier(triangle, field, twoState).visit(SubTriangle::whole(level), to);
 }
 
 }  // namespace filigree::bake

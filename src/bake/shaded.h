@@ -5,6 +5,7 @@
 #include "filigree/image/extremes.h"
 #include "filigree/mesh/uv_triangle.h"
 
+#include "bake/classify.h"
 #include "bake/field.h"
 #include "bake/placement.h"
 #include "bake/tile.h"
@@ -34,6 +35,6 @@ class ShadedField {
 // As classify() does (classify.h), for any vertex alphas. A micro-triangle is known where the product of the
 // ranges of texture alpha and vertex alpha is on one side, which may miss some that are.
 void classifyShaded(const mesh::UvTriangle& triangle, const ShadedField& field, unsigned level, bool twoState,
-                    BitWriter& stream);
+                    Classified& to);
 
 }  // namespace filigree::bake

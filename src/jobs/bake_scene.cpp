@@ -191,7 +191,7 @@ micromap::StateCounts countStates(const micromap::TreeSet& set) {
             ++sum.of[static_cast<size_t>(micromap::stateOfSpecialIndex(index))];
             continue;
         }
-        for (size_t s = 0; s < 4; ++s) sum.of[s] += ofTree[static_cast<size_t>(index)].of[s];
+        sum.add(ofTree[static_cast<size_t>(index)]);
     }
     return sum;
 }

@@ -78,6 +78,9 @@ struct StateCounts {
     uint64_t of[4] = {0, 0, 0, 0};
     [[nodiscard]] uint64_t total() const { return of[0] + of[1] + of[2] + of[3]; }
     [[nodiscard]] uint64_t known() const { return of[0] + of[1]; }
+    void add(const StateCounts& other) {
+        for (size_t s = 0; s < 4; ++s) of[s] += other.of[s];
+    }
 };
 StateCounts countStates(const QuadtreeView& tree);
 
