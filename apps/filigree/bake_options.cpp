@@ -4,6 +4,11 @@
 
 #include "text_table.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace filigree::app {
@@ -15,6 +20,20 @@ unsigned parseUnsigned(const std::string& name, const std::string& text) {
     return value;
 }
 
+// "4096", "64K", "10M", "1G".
+uint64_t parseBytes(const std::string& name, const std::string& text) {
+    uint64_t count = 0;
+    const char* const end = text.data() + text.size();
+    const auto [unit, error] = std::from_chars(text.data(), end, count);
+    static constexpr std::array<std::string_view, 4> units{"", "K", "M", "G"};
+    const auto found = std::find(units.begin(), units.end(), std::string_view(unit, end));
+    const auto shift = static_cast<unsigned>(10 * (found - units.begin()));
+    if (error != std::errc{} || found == units.end() || count > (UINT64_MAX >> shift)) {
+        throw CLI::ConversionError(text, name);
+    }
+    return count << shift;
+}
+
 void addLevels(CLI::App& verb, jobs::BakeParameters& p) {
     const auto setLevel = [&p](const std::string& text) {
         if (text != "auto") p.level = parseUnsigned("--level", text);
@@ -24,9 +43,10 @@ void addLevels(CLI::App& verb, jobs::BakeParameters& p) {
             "Subdivision level, or auto (the default): the highest useful one per triangle")
         ->type_name("0..12|auto");
     verb.add_option("--max-level", p.maxLevel, "With auto, the highest level; default 8")->type_name("0..12");
-    verb.add_option("--budget", p.budget, "Choose levels so that the micromaps fit; K, M, G are 1024s")
-        ->type_name("BYTES")
-        ->transform(CLI::AsSizeValue(false).description(""));
+    const auto setBudget = [&p](const std::string& text) { p.budget = parseBytes("--budget", text); };
+    verb.add_option_function<std::string>("--budget", setBudget,
+                                          "Choose levels so that data and records fit; K, M, G are 1024s")
+        ->type_name("BYTES");
 }
 
 void addTest(CLI::App& verb, jobs::BakeParameters& p) {

@@ -89,6 +89,13 @@ class Bake(CliTest):
                         ["--cutoff", "0"], ["--level", "0"], ["--level", "7", "--rotate"], ["--max-level", "2"]):
             self.bake(leaf(alpha=lambda x, y: (x * 37 + y * 11) % 256), *options)
 
+    def test_a_budget_holds(self):
+        plain, _ = self.bake(leaf(64))
+        for budget, option in ((700, "700"), (1024, "1K")):
+            fitted, _ = self.bake(leaf(64), "--budget", option)
+            self.assertLessEqual(fitted["bytes"]["data"] + fitted["bytes"]["records"], budget)
+            self.assertLess(fitted["bytes"]["data"], plain["bytes"]["data"])
+
     def test_a_factor_without_texture_decides(self):
         asset = leaf()
         asset.doc["materials"][0]["pbrMetallicRoughness"] = {"baseColorFactor": [1, 1, 1, 0.25]}

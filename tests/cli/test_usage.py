@@ -32,7 +32,7 @@ class Usage(CliTest):
             self.expect_error(2, *args)
         for option, *values in (["--level", "13", "-1", "x", ""], ["--max-level", "13"],
                                 ["--cutoff", "2", "-0.1", "nan"], ["--states", "3"], ["--guard", "-1", "inf"],
-                                ["--threads", "-1", "x"], ["--mips", "-1", "x"], ["--budget", "-1", "1X"]):
+                                ["--threads", "-1", "x"], ["--mips", "-1", "x"], ["--budget", "-1", "1X", "M", "1.5M", "17179869184G", ""]):
             for value in values:
                 self.expect_error(2, *bake, f"{option}={value}", says=option)
 
