@@ -110,6 +110,10 @@ double petalProfile(double t) {
     return std::pow(std::sin(pi * std::pow(t, 1.6)), 0.7);
 }
 
+double discProfile(double t) {
+    return std::sqrt(std::max(0.0, 1 - (2 * t - 1) * (2 * t - 1)));
+}
+
 double stemProfile(double t) {
     return 1 - 0.5 * t;
 }

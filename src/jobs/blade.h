@@ -33,6 +33,7 @@ double serratedProfile(double t);  // the same with a toothed edge
 double leafletProfile(double t);   // broad at the base, round at the tip
 double grassProfile(double t);     // narrowing all along
 double petalProfile(double t);     // broadest near the tip
+double discProfile(double t);      // round
 double stemProfile(double t);      // nearly even
 
 // Paints `blade` over `image`, its edge smooth to the texel.

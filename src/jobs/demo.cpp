@@ -7,8 +7,11 @@
 #include "jobs/demo_scene.h"
 #include "jobs/inspection.h"
 #include "jobs/json_text.h"
+#include "jobs/one_stage.h"
+#include "jobs/scene_view.h"
 
-#include <array>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,9 +20,15 @@ namespace {
 
 constexpr const char* sceneFile = "scene.glb";
 constexpr const char* bakedFile = "scene_omm.glb";
+constexpr uint32_t viewWidth = 1200;  // pixels
+constexpr uint32_t viewHeight = 800;
 
 std::string command(std::initializer_list<std::string> words) {
     return shellCommand(std::vector<std::string>(words));
+}
+
+std::string demoCommand(const std::filesystem::path& folder) {
+    return command({"filigree", "demo", "-o", folder.string()});
 }
 
 Status writeScene(const std::filesystem::path& path) {
@@ -69,30 +78,67 @@ report::Section filesSection() {
                             {bakedFile, "the same with opacity micromaps (EXT_mesh_opacity_micromap)"}}}}};
 }
 
-report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> inspected) {
+Result<scene::Scene> readBaked(const DemoSummary& summary) {
+    const auto document = io::GltfDocument::load(summary.baked);
+    if (!document) return document.error();
+    io::ReadOptions reading;
+    reading.blendAlpha = true;
+    reading.colour = true;
+    return io::readScene(*document, reading);
+}
+
+// A picture from each camera.
+Result<report::Section> viewSection(const scene::Scene& scene, const std::filesystem::path& folder,
+                                    const Executor& executor, ProgressSink& progress,
+                                    InspectSummary& summary) {
+    report::Section section{"The scene", {}};
+    OneStage stage(progress, "draw", scene.cameras.size(), "views");
+    for (size_t i = 0; i < scene.cameras.size(); ++i) {
+        const Canvas view = drawView(scene, scene.cameras[i], viewWidth, viewHeight, executor);
+        auto png = view.png();
+        if (!png) return png.error();
+        const std::string file = fmt::format("view-{:02}.png", i + 1);
+        auto picture = writePicture(folder, file, std::move(*png), viewWidth, viewHeight,
+                                    "The demo scene from camera " + scene.cameras[i].name);
+        if (!picture) return picture.error();
+        summary.pictures.emplace_back(file);
+        section.blocks.emplace_back(report::Figure{
+            std::move(*picture), "From camera \"" + scene.cameras[i].name + "\".", demoCommand(folder)});
+        stage.advance(1);
+    }
+    return section;
+}
+
+report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> sections) {
     report::Page page;
     page.title = "Filigree demo";
     page.lead =
         "A glade made in code, baked to opacity micromaps, proved right and drawn. Trees, ferns, grass, "
         "blossoms and "
         "a chain-link fence are flat cards that alpha textures cut out.";
-    page.sections.push_back({"Bake and proof", {bakeTable(summary), validationTable(summary)}});
-    for (auto& section : inspected) page.sections.push_back(std::move(section));
+    page.sections = std::move(sections);
+    page.sections.insert(page.sections.begin() + 1,
+                         report::Section{"Bake and proof", {bakeTable(summary), validationTable(summary)}});
     page.sections.push_back(filesSection());
     return page;
 }
 
-Result<Inspection> inspectBaked(const DemoSummary& summary, const std::filesystem::path& folder,
-                                const Executor& executor, ProgressSink& progress) {
-    const auto document = io::GltfDocument::load(summary.baked);
-    if (!document) return document.error();
-    io::ReadOptions reading;
-    reading.blendAlpha = true;
-    const auto scene = io::readScene(*document, reading);
+// Views first, then what inspect shows.
+Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::filesystem::path& folder,
+                                               const Executor& executor, ProgressSink& progress) {
+    const auto scene = readBaked(summary);
     if (!scene) return scene.error();
-    return inspectScene(*scene, folder,
-                        command({"filigree", "inspect", summary.baked.string(), "-o", folder.string()}),
-                        executor, progress);
+    auto inspection = inspectScene(
+        *scene, folder, command({"filigree", "inspect", summary.baked.string(), "-o", folder.string()}),
+        executor, progress);
+    if (!inspection) return inspection.error();
+    summary.inspection = std::move(inspection->summary);
+    summary.inspection.page = summary.page;
+    auto views = viewSection(*scene, folder, executor, progress, summary.inspection);
+    if (!views) return views.error();
+    std::vector<report::Section> sections = std::move(inspection->sections);
+    sections.insert(sections.begin(), std::move(*views));
+    return sections;
 }
 
 // The demo shows that the micromaps are right; if they are not it must not look like a success.
@@ -127,11 +173,9 @@ Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, P
     summary.validation = std::move(*validation);
     if (const auto valid = requireValid(summary); !valid) return valid.error();
 
-    auto inspection = inspectBaked(summary, folder, executor, progress);
-    if (!inspection) return inspection.error();
-    summary.inspection = std::move(inspection->summary);
-    summary.inspection.page = summary.page;
-    const std::string html = report::toHtml(pageOf(summary, std::move(inspection->sections)));
+    auto sections = drawBaked(summary, folder, executor, progress);
+    if (!sections) return sections.error();
+    const std::string html = report::toHtml(pageOf(summary, std::move(*sections)));
     if (const auto written = writeFile(summary.page, html); !written) return written.error();
     return summary;
 }

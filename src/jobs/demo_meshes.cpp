@@ -128,12 +128,12 @@ Vec3 groundNormal(float x, float z) {
     return normalised({-dx, 1, -dz});
 }
 
-// Grass in the hollows, bare earth on the humps.
+// Grass in the hollows, bare earth on the humps; it multiplies the material's colour.
 Vec3 groundColour(float x, float z) {
     const float patch = 0.5F + 0.5F * std::sin(1.7F * x + 2.0F * std::sin(0.9F * z)) * std::sin(1.3F * z);
     const float bare = std::fmin(1.0F, std::fmax(0.0F, 0.55F * patch + 0.5F * groundHeight(x, z)));
-    const Vec3 grass{0.09F, 0.15F, 0.035F};
-    const Vec3 earth{0.20F, 0.13F, 0.07F};
+    const Vec3 grass{0.45F, 0.75F, 0.35F};
+    const Vec3 earth{0.95F, 0.65F, 0.70F};
     return plus(times(grass, 1 - bare), times(earth, bare));
 }
 

@@ -77,7 +77,7 @@ Result<Materials> addMaterials(GlbBuilder& glb) {
     }
     m.bark = addPlain(glb, "bark", {0.10F, 0.065F, 0.04F}, 0);
     m.zinc = addPlain(glb, "zinc", {0.45F, 0.46F, 0.48F}, 0.6);
-    m.ground = addPlain(glb, "ground", {1, 1, 1}, 0);
+    m.ground = addPlain(glb, "ground", {0.17F, 0.18F, 0.085F}, 0);
     return m;
 }
 
@@ -210,11 +210,11 @@ void plant(Planter& planter, const Meshes& meshes) {
     planter.plantBush(1, 5.6F, -1.2F, 0.9F);
     planter.plantBush(2, -6.2F, -1.6F, 0.9F);
     planter.scatter(meshes.fern, 26, 0.8F, 6.5F, 0.8F, 1.3F);
-    planter.scatter(meshes.grass, 220, 0.3F, 9, 0.7F, 1.4F);
+    planter.scatter(meshes.grass, 340, 0.3F, 10, 0.7F, 1.4F);
     planter.scatter(meshes.blossom, 40, 0.5F, 6, 0.8F, 1.4F);
     planter.buildFence(-6, 2.2F, 3);
     planter.addCamera("glade", {1.6F, 1.9F, 7.6F}, {-0.3F, 1.55F, -2});
-    planter.addCamera("ferns", {0.9F, 0.9F, 3.2F}, {-0.8F, 0.5F, -1.6F});
+    planter.addCamera("ferns", {2.4F, 1.0F, 2.6F}, {-0.9F, 0.75F, -2.4F});
 }
 
 }  // namespace

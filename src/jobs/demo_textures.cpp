@@ -164,7 +164,7 @@ scene::ColourImage blossomTexture() {
                varied({0.90, 0.66, 0.78}, random), 0},
               image);
     }
-    paint({{55, 64}, {73, 64}, 0, 0.5, leafletProfile, {0.93, 0.75, 0.2}, 0}, image);
+    paint({{53, 64}, {75, 64}, 0, 0.5, discProfile, {0.93, 0.75, 0.2}, 0}, image);
     return image;
 }
 

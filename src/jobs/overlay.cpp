@@ -2,9 +2,8 @@
 
 #include "filigree/micromap/curve.h"
 #include "filigree/micromap/quadtree.h"
-#include "filigree/report/number.h"
 
-#include "jobs/lettering.h"
+#include "jobs/overlay_legend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +21,6 @@ constexpr int mostCopies = 64;               // of one triangle, along one axis
 constexpr uint8_t bare = 255;                // label of a pixel without a triangle
 constexpr double leastMicroEdge = 4;         // pixels; below it the grid would hide the states
 constexpr double fullMicroEdge = 14;
-constexpr Colour ink{20, 24, 28};
 
 // ---- wrapping ----
 
@@ -61,7 +59,10 @@ bool isDrawable(const OverlayTriangle& t) {
 class Painter {
   public:
     Painter(uint32_t width, uint32_t height)
-        : labels_(size_t{width} * height, bare), lines_(width, height, {0, 0, 0}) {}
+        : width_(width),
+          height_(height),
+          labels_(size_t{width} * height, bare),
+          lines_(size_t{width} * height, 0) {}
 
     // False once the work limit is reached; the triangle is then not drawn.
     bool draw(const OverlayTriangle& t, const image::AlphaTexture& texture) {
@@ -73,7 +74,7 @@ class Painter {
                 if (work_ > workLimit) return false;
                 std::array<Pixel, 3> corners{};
                 for (size_t k = 0; k < 3; ++k) {
-                    corners[k] = {cu(t.uv[k].u) * lines_.width(), cv(t.uv[k].v) * lines_.height()};
+                    corners[k] = {cu(t.uv[k].u) * width_, cv(t.uv[k].v) * height_};
                 }
                 drawCopy(corners, t);
             }
@@ -83,16 +84,16 @@ class Painter {
 
     // The states, then the grid, then the outlines over `canvas`, whose top left part is the tile.
     void compose(Canvas& canvas) const {
-        for (uint32_t y = 0; y < lines_.height(); ++y) {
-            for (uint32_t x = 0; x < lines_.width(); ++x) {
-                const uint8_t label = labels_[size_t{y} * lines_.width() + x];
+        for (uint32_t y = 0; y < height_; ++y) {
+            for (uint32_t x = 0; x < width_; ++x) {
+                const uint8_t label = labels_[size_t{y} * width_ + x];
                 if (label == bare) continue;
                 canvas.blend(x, y, stateColour(static_cast<State>(label)), 0.72);
-                canvas.blend(x, y, ink, lines_.at(x, y).r / 255.0);
+                canvas.blend(x, y, overlayInk, lines_[size_t{y} * width_ + x] / 255.0);
             }
         }
         for (const auto& c : outlines_) {
-            for (size_t k = 0; k < 3; ++k) canvas.strokeLine(c[k], c[(k + 1) % 3], 1.6, ink, 0.9);
+            for (size_t k = 0; k < 3; ++k) canvas.strokeLine(c[k], c[(k + 1) % 3], 1.6, overlayInk, 0.9);
         }
     }
 
@@ -131,11 +132,11 @@ class Painter {
 
     void fill(const std::array<Pixel, 3>& corners, State state) {
         work_ += leafWork;
-        forEachSpan(corners, lines_.width(), lines_.height(), [&](uint32_t y, uint32_t first, uint32_t end) {
+        forEachSpan(corners, width_, height_, [&](uint32_t y, uint32_t first, uint32_t end) {
             work_ += end - first;
             for (uint32_t x = first; x < end; ++x) {
-                labels_[size_t{y} * lines_.width() + x] = static_cast<uint8_t>(state);
-                lines_.set(x, y, {0, 0, 0});
+                labels_[size_t{y} * width_ + x] = static_cast<uint8_t>(state);
+                lines_[size_t{y} * width_ + x] = 0;
             }
         });
     }
@@ -149,22 +150,46 @@ class Painter {
         const double visible =
             std::clamp((edge - leastMicroEdge) / (fullMicroEdge - leastMicroEdge), 0.0, 1.0);
         if (visible == 0) return;
+        const double darkness = 0.15 + 0.35 * visible;
         const auto share = [&](uint32_t k) { return static_cast<double>(k) / n; };
         for (uint32_t k = 1; k < n; ++k) {
             const double a = share(k);
-            drawLine(inside(c, a, 0), inside(c, a, 1 - a), visible);
-            drawLine(inside(c, 0, a), inside(c, 1 - a, a), visible);
-            drawLine(inside(c, a, 0), inside(c, 0, a), visible);
+            drawLine(inside(c, a, 0), inside(c, a, 1 - a), darkness);
+            drawLine(inside(c, 0, a), inside(c, 1 - a, a), darkness);
+            drawLine(inside(c, a, 0), inside(c, 0, a), darkness);
         }
     }
 
-    void drawLine(Pixel from, Pixel to, double visible) {
-        work_ += static_cast<uint64_t>(std::min(1e6, 8 * std::hypot(to.x - from.x, to.y - from.y)));
-        lines_.strokeLine(from, to, 1, {255, 255, 255}, 0.15 + 0.35 * visible);
+    // A line one pixel wide: at each step along its longer axis, two pixels share its darkness (Wu 1991).
+    void drawLine(Pixel from, Pixel to, double darkness) {
+        const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
+        const auto along = [&](Pixel p) { return steep ? p.y : p.x; };
+        const auto across = [&](Pixel p) { return steep ? p.x : p.y; };
+        if (along(from) > along(to)) std::swap(from, to);
+        const double length = along(to) - along(from);
+        if (length <= 0) return;
+        const double slope = (across(to) - across(from)) / length;
+        const uint32_t end = firstCentre(along(to), steep ? height_ : width_);
+        for (uint32_t step = firstCentre(along(from), end); step < end; ++step) {
+            const double place = across(from) + slope * (step + 0.5 - along(from)) - 0.5;
+            const double whole = std::floor(place);
+            darken(step, whole, (1 - place + whole) * darkness, steep);
+            darken(step, whole + 1, (place - whole) * darkness, steep);
+        }
+        work_ += end;
     }
 
+    void darken(uint32_t along, double across, double share, bool steep) {
+        if (across < 0 || across >= (steep ? width_ : height_)) return;
+        const auto other = static_cast<uint32_t>(across);
+        uint8_t& line = lines_[steep ? size_t{along} * width_ + other : size_t{other} * width_ + along];
+        line = std::max(line, static_cast<uint8_t>(255 * share));
+    }
+
+    uint32_t width_;
+    uint32_t height_;
     std::vector<uint8_t> labels_;  // a State, or bare
-    Canvas lines_;                 // of the grid: 255 where they are dark
+    std::vector<uint8_t> lines_;   // how dark the grid is
     std::vector<std::array<Pixel, 3>> outlines_;
     uint64_t work_ = 0;
 };
@@ -179,7 +204,8 @@ struct Size {
 // Whole pixels a texel where the texture is small, a coarser level where it is large.
 Size tileSize(const image::AlphaImage& image) {
     const uint32_t side = std::max(image.width, image.height);
-    const uint32_t scale = std::max(1U, largestSide / side);
+    const uint32_t wanted = side > largestSide / 8 ? largestSide : largestSide / 2;
+    const uint32_t scale = std::max(1U, wanted / side);
     return {image.width * scale, image.height * scale};
 }
 
@@ -206,43 +232,6 @@ void drawAlpha(Canvas& canvas, const image::AlphaTexture& texture, Size tile, do
     }
 }
 
-constexpr double textSize = 24;
-constexpr double rowHeight = 40;
-constexpr double margin = 20;
-
-struct LegendItem {
-    std::string text;
-    State state;
-    Pixel at;
-};
-
-// States in rows of at most `width` pixels, below the title.
-std::vector<LegendItem> layOutLegend(const OverlayLegend& legend, double width) {
-    std::vector<LegendItem> items;
-    Pixel at{margin, rowHeight + margin};
-    for (size_t s = 0; s < 4; ++s) {
-        const auto state = static_cast<State>(s);
-        const std::string text = std::string(stateName(state)) + " " + report::formatShare(legend.shares[s]);
-        const double needed = 36 + letteringWidth(text, textSize) + 2 * margin;
-        if (at.x > margin && at.x + needed > width) at = {margin, at.y + rowHeight};
-        items.push_back({text, state, at});
-        at.x += needed;
-    }
-    return items;
-}
-
-void drawLegend(Canvas& canvas, double top, const OverlayLegend& legend,
-                const std::vector<LegendItem>& items) {
-    canvas.fillRect(0, top, canvas.width(), canvas.height() - top, {255, 255, 255});
-    drawText(canvas, legend.title, {margin, top + margin + 18}, textSize, report::Anchor::start, ink, true);
-    for (const LegendItem& item : items) {
-        const double y = top + item.at.y;
-        canvas.fillRect(item.at.x, y + 2, 24, 24, ink);
-        canvas.fillRect(item.at.x + 1, y + 3, 22, 22, stateColour(item.state));
-        drawText(canvas, item.text, {item.at.x + 34, y + 22}, textSize, report::Anchor::start, ink);
-    }
-}
-
 // Wide enough for the longest entry, however narrow the tile.
 uint32_t canvasWidth(Size tile) {
     return std::max(tile.width, 512U);
@@ -250,26 +239,13 @@ uint32_t canvasWidth(Size tile) {
 
 }  // namespace
 
-// From Okabe and Ito, "Color universal design" (2008).
-Colour stateColour(State state) {
-    constexpr std::array<Colour, 4> colours = {{{0, 90, 170}, {110, 200, 245}, {205, 70, 0}, {250, 190, 40}}};
-    return colours[static_cast<size_t>(state)];
-}
-
-const char* stateName(State state) {
-    constexpr std::array<const char*, 4> names = {"transparent", "opaque", "unknown-transparent",
-                                                  "unknown-opaque"};
-    return names[static_cast<size_t>(state)];
-}
-
 Overlay drawOverlay(const image::AlphaTexture& texture, double factor,
                     const std::vector<OverlayTriangle>& triangles, const OverlayLegend& legend) {
     const image::AlphaTexture shown = reduced(texture);
     const Size tile = tileSize(shown.image);
     const uint32_t width = canvasWidth(tile);
-    const auto items = layOutLegend(legend, width);
-    const double below = items.back().at.y + rowHeight + margin / 2;
-    Overlay overlay{Canvas(width, tile.height + static_cast<uint32_t>(below), {255, 255, 255}), 0};
+    const LegendStrip strip(legend, width);
+    Overlay overlay{Canvas(width, tile.height + strip.height(), {255, 255, 255}), 0};
     drawAlpha(overlay.canvas, shown, tile, factor);
     Painter painter(tile.width, tile.height);
     for (const OverlayTriangle& t : triangles) {
@@ -277,7 +253,7 @@ Overlay drawOverlay(const image::AlphaTexture& texture, double factor,
         ++overlay.drawn;
     }
     painter.compose(overlay.canvas);
-    drawLegend(overlay.canvas, tile.height, legend, items);
+    strip.draw(overlay.canvas, tile.height);
     return overlay;
 }
 

@@ -4,33 +4,21 @@
 #include "filigree/image/alpha_image.h"
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/micromap/set.h"
-#include "filigree/micromap/state.h"
 
 #include "jobs/canvas.h"
+#include "jobs/overlay_legend.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace filigree::jobs {
-
-// Four colours that stay apart for colour-blind readers: known states are blue, unknown ones orange, and the
-// opaque side is the lighter of each.
-Colour stateColour(micromap::State state);
-const char* stateName(micromap::State state);
 
 struct OverlayTriangle {
     std::array<mesh::Uv, 3> uv;
     const micromap::FlatSet* set = nullptr;
     int32_t index = 0;  // a record of `set`, or special
-};
-
-// A line of text and the share of each state, below the picture.
-struct OverlayLegend {
-    std::string title;
-    std::array<double, 4> shares{};  // by State, of one
 };
 
 struct Overlay {

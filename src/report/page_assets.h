@@ -30,7 +30,7 @@ ul.legend i{display:inline-block;width:.95em;height:.95em;margin-right:.5em;vert
 border:1px solid var(--faint);border-radius:3px}
 figure{margin:1.2rem 0 1.6rem;min-width:0}
 figure>a{display:block}
-figure img{display:block;max-width:100%;height:auto;border:1px solid var(--line);border-radius:4px}
+figure img{display:block;max-width:100%;max-height:min(90vh,50rem);width:auto;height:auto;border:1px solid var(--line);border-radius:4px}
 figcaption{color:var(--faint);margin-top:.5rem;max-width:76ch}
 figure>code{display:block;margin-top:.4rem;padding:.4rem .7rem;background:var(--soft);border-radius:4px;
 font:13px/1.5 ui-monospace,"DejaVu Sans Mono",Consolas,monospace;overflow-x:auto;white-space:pre}
