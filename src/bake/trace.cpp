@@ -290,8 +290,9 @@ class Tracer {
     void add(const Cell& cell, const Point<double>& base, const image::OutlinePiece& piece, int depth) {
         const LatticeChord chord(frame_, guard_, {base.x + piece.x0, base.y + piece.y0},
                                  {base.x + piece.x1, base.y + piece.y1}, piece.bulge);
-        if (chord.a.outer.high < 0 || chord.b.outer.high < 0 || chord.c.outer.high < 0) return;
-        if (chord.extent() > longest && depth < deepest) {
+        if (chord.a.outer.high < 0 || chord.b.outer.high < 0 || chord.c.outer.high < 0 || left_ == 0) return;
+        // A part shorter than the guard's reach is near all that the whole is near.
+        if (chord.extent() > std::max({longest, frame_.a.reach, frame_.b.reach}) && depth < deepest) {
             if (const auto halves = outline_.split(piece, outline_.patch(cell.x, cell.y))) {
                 add(cell, base, (*halves)[0], depth + 1);
                 add(cell, base, (*halves)[1], depth + 1);
@@ -322,11 +323,13 @@ class Tracer {
 
     void consider(const Cell& cell, const image::OutlinePiece& piece, const LatticeChord& chord, int32_t i,
                   int32_t j, bool flipped) {
+        const uint32_t index = curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), flipped);
+        if (tile_.unknown.test(index)) return;
         switch (chord.meets(i, j, flipped)) {
             case LatticeChord::Meeting::no:
                 return;
             case LatticeChord::Meeting::yes:
-                return mark(curve_.index(static_cast<uint32_t>(i), static_cast<uint32_t>(j), flipped));
+                return mark(index);
             case LatticeChord::Meeting::unclear:
                 return testOne(cell, piece, i, j, flipped);
         }
