@@ -19,10 +19,7 @@ constexpr double widestTile = 4;        // periods of the texture that a tile ma
 // threshold tells best. None where all are too close to call.
 std::optional<bool> sideOf(const SubTriangle& part, const Placement& placement,
                            const image::Outline& outline) {
-    const int64_t n = int64_t{1} << part.height;
-    const Point<double> a = part.position(placement, 0, 0);
-    const Point<double> b = part.position(placement, n, 0);
-    const Point<double> c = part.position(placement, 0, n);
+    const auto [a, b, c] = part.corners(placement);
     image::Outline::Side best = outline.sideAt((a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3);
     if (best.distance > 1e-3) return best.opaque;
     for (const Point<double>& p : {a, b, c}) {
@@ -91,15 +88,12 @@ class Classifier {
         if (part.height == 0) return true;
         for (size_t k = 0; k < placements_.size(); ++k) {
             if (!isTraceable(part, placements_[k], field_.guard())) return false;
-            const int64_t n = int64_t{1} << part.height;
-            const Point<double> a = part.position(placements_[k], 0, 0);
-            for (const auto& [i, j] : {std::array{n, int64_t{0}}, std::array{int64_t{0}, n}}) {
-                const Point<double> b = part.position(placements_[k], i, j);
-                const image::Outline& outline = field_.layers()[k].outline;
-                if (std::fabs(b.x - a.x) > widestTile * static_cast<double>(outline.axisX().cells))
-                    return false;
-                if (std::fabs(b.y - a.y) > widestTile * static_cast<double>(outline.axisY().cells))
-                    return false;
+            const image::Outline& outline = field_.layers()[k].outline;
+            const double width = widestTile * static_cast<double>(outline.axisX().cells);
+            const double height = widestTile * static_cast<double>(outline.axisY().cells);
+            const auto [a, b, c] = part.corners(placements_[k]);
+            for (const Point<double>& p : {b, c}) {
+                if (std::fabs(p.x - a.x) > width || std::fabs(p.y - a.y) > height) return false;
             }
         }
         return true;

@@ -85,18 +85,12 @@ class ShadedClassifier {
         return {std::max(range.least, least), std::min(range.most, most)};
     }
 
-    static std::array<Point<double>, 3> cornersOf(const SubTriangle& part, const Placement& placement) {
-        const int64_t n = int64_t{1} << part.height;
-        return {part.position(placement, 0, 0), part.position(placement, n, 0),
-                part.position(placement, 0, n)};
-    }
-
     // Bounds the final alpha by the texels around the part's box.
     [[nodiscard]] AlphaRange roughRange(const SubTriangle& part) const {
         const AlphaRange vertex = vertexRange(part);
         AlphaRange range;
         for (size_t k = 0; k < placements_.size(); ++k) {
-            const auto p = cornersOf(part, placements_[k]);
+            const auto p = part.corners(placements_[k]);
             const double margin = field_.test().guard + 2 * placements_[k].slack() + 1e-12;
             // Nearest filtering reads texels up to half a texel away, bilinear up to one.
             const auto low = [&](double a, double b, double c) {
@@ -131,7 +125,7 @@ class ShadedClassifier {
     // Adds the final alphas of one layer, cell by cell, until it is clear that they are not all on one side.
     void addLayer(const SubTriangle& part, size_t k, const AlphaRange& vertex, AlphaRange& range) const {
         const ShadedField::Layer& layer = field_.layers()[k];
-        const auto corners = cornersOf(part, placements_[k]);
+        const auto corners = part.corners(placements_[k]);
         const TriangleRows rows(corners, field_.test().guard + 2 * placements_[k].slack() + 1e-12);
         const WidenedShape shape(corners, field_.test().guard);
         for (int64_t row = rows.firstRow(); row <= rows.lastRow(); ++row) {
@@ -193,7 +187,7 @@ class ShadedClassifier {
         const image::AlphaTest& test = field_.test();
         const double cutoff = test.mode == image::AlphaMode::blend ? 0.5 : test.cutoff;
         const image::AlphaTexture& texture = *field_.layers().front().texture;
-        const auto p = cornersOf(part, placements_.front());
+        const auto p = part.corners(placements_.front());
         const double area =
             std::fabs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x)) / 2;
         const unsigned depth = SideRule::depth(area);

@@ -44,6 +44,10 @@ struct SubTriangle {
         const auto [gi, gj] = global(i, j);
         return placement.at(gi, gj, level);
     }
+    [[nodiscard]] std::array<Point<double>, 3> corners(const Placement& placement) const {
+        const int64_t n = int64_t{1} << height;
+        return {position(placement, 0, 0), position(placement, n, 0), position(placement, 0, n)};
+    }
     [[nodiscard]] Point<Bounded> boundedPosition(const Placement& placement, int64_t i, int64_t j) const {
         const auto [gi, gj] = global(i, j);
         return placement.boundedAt(gi, gj, level);

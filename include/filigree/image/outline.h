@@ -8,6 +8,7 @@
 
 #include "filigree/image/alpha_image.h"
 #include "filigree/image/patch.h"
+#include "filigree/image/threshold.h"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +19,6 @@
 #include <vector>
 
 namespace filigree::image {
-
-// Which texel values t (0..65535) are opaque: t >= lowestOpaque. Between texels bilinear alpha is opaque
-// where it is
-// >= value, a real number in (lowestOpaque - 1, lowestOpaque].
-struct Threshold {
-    uint32_t lowestOpaque = 0;  // 0..65536
-    double value = 0;
-    bool operator==(const Threshold&) const = default;
-};
-
-// The thresholds under which all points of a known micro-triangle must be alike (docs/spec/bake.md).
-// `vertexAlpha` multiplies the texture's alpha, as AlphaTest::factor does. Usually one; two for blend, and
-// for a mask where a texel value meets the cutoff so closely that float and double disagree on its side.
-std::vector<Threshold> thresholdsOf(const AlphaTest& test, double vertexAlpha, uint32_t steps);
-
-// The threshold that tells the greater side of an unknown micro-triangle: the mask's own; alpha 0.5 for
-// blend.
-Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t steps);
 
 // How unwrapped cells map to the distinct ones on an axis.
 struct CellAxis {
@@ -72,6 +55,8 @@ struct OutlinePiece {
     float y1 = 0;
     float bulge = 0;
 };
+
+struct ArcPiece;
 
 class Outline {
   public:
@@ -184,8 +169,8 @@ class Outline {
         8;  // in a band by bucket of columns (a byte of bits), in a bucket by row
 
     void build();
-    void buildBand(int64_t firstRow);
-    void appendCell(size_t column, int64_t row);
+    void buildBand(int64_t firstRow, std::vector<ArcPiece>& scratch);
+    void appendCell(size_t column, int64_t row, std::vector<ArcPiece>& scratch);
     [[nodiscard]] const uint16_t* texelRow(int64_t row) const;
     // The side of each texel of an unwrapped row in the order of the canonical cells.
     [[nodiscard]] std::vector<uint64_t> opaqueBits(int64_t row) const;
