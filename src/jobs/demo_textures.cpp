@@ -101,6 +101,11 @@ double wireDistance(double diagonal) {
     return std::abs(diagonal - std::round(diagonal)) / std::numbers::sqrt2;
 }
 
+// Wires bow over and under each other.
+double bow(double along) {
+    return 0.022 * std::sin(4 * pi * along);
+}
+
 // Zinc wire, round in the light.
 Rgb wireColour(double distance, double halfWidth) {
     const double across = std::min(1.0, distance / halfWidth);
@@ -176,8 +181,8 @@ scene::ColourImage fenceTexture() {
         for (uint32_t x = 0; x < size; ++x) {
             const double u = (x + 0.5) / size;
             const double v = (y + 0.5) / size;
-            const double rising = wireDistance(u + v);
-            const double falling = wireDistance(u - v);
+            const double rising = wireDistance(u + v + bow(u - v));
+            const double falling = wireDistance(u - v + bow(u + v));
             // The wires weave: at the tile's middle one is on top, at its corners the other.
             const bool middle = std::abs(u - 0.5) + std::abs(v - 0.5) < 0.5;
             for (const double wire : {middle ? falling : rising, middle ? rising : falling}) {

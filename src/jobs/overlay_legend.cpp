@@ -32,7 +32,7 @@ const char* stateName(State state) {
 
 // As many states in a row as fit.
 LegendStrip::LegendStrip(const OverlayLegend& legend, uint32_t width)
-    : title_(legend.title), size_(std::clamp(width / 54.0, 17.0, 40.0)) {
+    : title_(legend.title), size_(std::clamp(width / 70.0, 16.0, 34.0)) {
     const double left = margin * size_;
     Pixel at{left, (margin + rowHeight) * size_};
     for (size_t s = 0; s < legend.shares.size(); ++s) {

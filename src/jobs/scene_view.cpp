@@ -21,7 +21,7 @@ constexpr Vec3 skylight{0.42F, 0.52F, 0.66F};
 constexpr Vec3 groundlight{0.16F, 0.17F, 0.11F};
 constexpr Vec3 haze{1.75F, 2.05F, 2.4F};
 constexpr Vec3 zenith{0.35F, 0.75F, 1.6F};
-constexpr float hazePerMetre = 0.004F;
+constexpr float hazePerMetre = 0.0015F;
 
 const Vec3 sunDirection = normalised({-0.45F, -0.75F, -0.42F});  // the way its light goes
 

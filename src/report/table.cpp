@@ -79,29 +79,33 @@ std::string numberText(double value, const Column& column) {
     }
 }
 
-// Numbers stand to the right, and so do their headings.
-bool isNumeric(const Table& table, size_t column) {
-    return std::any_of(table.rows.begin(), table.rows.end(),
-                       [&](const auto& row) { return isNumber(row[column]); });
+// How each column's cells begin. Columns with numbers stand to the right, headings and all.
+std::vector<std::string> classes(const Table& table) {
+    std::vector<std::string> out;
+    for (size_t c = 0; c < table.columns.size(); ++c) {
+        const bool numeric = std::any_of(table.rows.begin(), table.rows.end(),
+                                         [&](const auto& row) { return isNumber(row[c]); });
+        out.emplace_back(numeric ? " class=\"n\"" : "");
+    }
+    return out;
 }
 
-std::string headHtml(const Table& table) {
+std::string headHtml(const Table& table, const std::vector<std::string>& classes) {
     std::string out = "<thead><tr>";
     for (size_t c = 0; c < table.columns.size(); ++c) {
         const Column& column = table.columns[c];
-        out += fmt::format("<th scope=\"col\"{}>{}</th>", isNumeric(table, c) ? " class=\"n\"" : "",
+        out += fmt::format("<th scope=\"col\"{}>{}</th>", classes[c],
                            escapeHtml(withUnit(column.name, column.unit)));
     }
     return out + "</tr></thead>\n";
 }
 
-std::string bodyHtml(const Table& table) {
+std::string bodyHtml(const Table& table, const std::vector<std::string>& classes) {
     std::string out = "<tbody>\n";
     for (const auto& row : table.rows) {
         out += "<tr>";
         for (size_t c = 0; c < row.size(); ++c) {
-            out += fmt::format("<td{}>{}</td>", isNumber(row[c]) ? " class=\"n\"" : "",
-                               escapeHtml(cellText(row[c], table.columns[c])));
+            out += fmt::format("<td{}>{}</td>", classes[c], escapeHtml(cellText(row[c], table.columns[c])));
         }
         out += "</tr>\n";
     }
@@ -155,11 +159,13 @@ std::string toCsv(const Table& table) {
 std::string toHtml(const Table& table) {
     const std::string command =
         table.command.empty() ? "" : fmt::format("<code>{}</code>", escapeHtml(table.command));
+    const std::vector<std::string> columns = classes(table);
     return fmt::format(
         "<figure class=\"table\"><figcaption><span>{}</span>"
         "<button type=\"button\" class=\"copy\" data-csv=\"{}\" hidden>Copy as CSV</button></figcaption>\n"
         "<div class=\"scroll\"><table>\n{}{}</table></div>{}</figure>\n",
-        escapeHtml(table.caption), escapeHtml(toCsv(table)), headHtml(table), bodyHtml(table), command);
+        escapeHtml(table.caption), escapeHtml(toCsv(table)), headHtml(table, columns),
+        bodyHtml(table, columns), command);
 }
 
 }  // namespace filigree::report
