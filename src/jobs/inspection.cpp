@@ -1,6 +1,7 @@
 #include "jobs/inspection.h"
 
 #include "filigree/core/file.h"
+#include "filigree/report/number.h"
 
 #include "jobs/inspect_charts.h"
 #include "jobs/lettering.h"
@@ -59,9 +60,9 @@ Result<report::Picture> drawSheet(const scene::Scene& scene, Sheet& sheet,
                                   const std::filesystem::path& folder) {
     InspectedTexture& m = sheet.measured;
     const auto triangles = overlayTriangles(scene, sheet.group);
-    const OverlayLegend legend{
-        fmt::format("{}: {} x {} texels, {} triangles", m.name, m.width, m.height, m.triangles),
-        m.areaShares()};
+    const OverlayLegend legend{fmt::format("{}: {} x {} texels, {} triangles", m.name, m.width, m.height,
+                                           report::formatCount(m.triangles)),
+                               m.areaShares()};
     const Overlay overlay =
         drawOverlay(textureOf(scene, sheet.group.source), sheet.group.source.test.factor, triangles, legend);
     m.distinctTriangles = triangles.size();
@@ -99,11 +100,13 @@ report::Legend stateLegend() {
 }
 
 std::string captionOf(const InspectedTexture& m) {
-    std::string text =
-        fmt::format("{}: {} triangles, {} of them distinct, use {} micromaps. Grey below is the alpha.",
-                    m.name, m.triangles, m.distinctTriangles, m.micromaps);
+    using report::formatCount;
+    std::string text = fmt::format(
+        "{}: {} triangles, {} of them distinct, use {} micromaps. Grey below is the alpha.", m.name,
+        formatCount(m.triangles), formatCount(m.distinctTriangles), formatCount(m.micromaps));
     if (m.drawnTriangles < m.distinctTriangles) {
-        text += fmt::format(" The picture shows the first {} distinct triangles.", m.drawnTriangles);
+        text +=
+            fmt::format(" The picture shows the first {} distinct triangles.", formatCount(m.drawnTriangles));
     }
     return text;
 }

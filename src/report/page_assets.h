@@ -41,7 +41,7 @@ figure.table{width:fit-content;max-width:100%}
 figure.table figcaption{display:flex;flex-wrap:wrap;gap:.4rem 1rem;align-items:center;justify-content:space-between;
 margin:0 0 .4rem;max-width:none}
 table{border-collapse:collapse;font-size:.92rem;font-variant-numeric:tabular-nums}
-th,td{padding:.35rem .8rem;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}
+th,td{padding:.35rem .6rem;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}
 th{font-weight:600;background:var(--soft)}
 td.n,th.n{text-align:right}
 td.n{white-space:nowrap}
