@@ -128,7 +128,7 @@ class Bake {
             statistics.states.add(states);
             statistics.microTriangles += states.total();
             ++statistics.trianglesAt[levels_[t]];
-            if (!mesh::isFinite(triangles_[t])) ++statistics.nonFiniteTriangles;
+            if (!fields_.canPlace(triangles_[t])) ++statistics.nonFiniteTriangles;
         }
         return statistics;
     }

@@ -26,10 +26,14 @@ Fields::Fields(const image::AlphaTexture& texture, const image::AlphaTest& test,
     if (needShaded) shaded_.emplace(chain_, test);
 }
 
+bool Fields::canPlace(const mesh::UvTriangle& triangle) const {
+    const image::AlphaImage& image = chain_.levels().front()->image;
+    return isPlaceable(triangle, image.width, image.height);
+}
+
 void Fields::classify(const mesh::UvTriangle& triangle, unsigned level, bool twoState,
                       const Executor& executor, Classified& to) const {
-    const image::AlphaImage& image = chain_.levels().front()->image;
-    if (!isPlaceable(triangle, image.width, image.height)) {
+    if (!canPlace(triangle)) {
         to.appendLeaf(level, twoState ? 1 : 3);
         return;
     }

@@ -20,6 +20,9 @@ class Fields {
     Fields(const image::AlphaTexture& texture, const image::AlphaTest& test,
            std::span<const mesh::UvTriangle> triangles);
 
+    // False where a coordinate or vertex alpha is not finite or out of reach (placement.h).
+    [[nodiscard]] bool canPlace(const mesh::UvTriangle& triangle) const;
+
     // Appends the quadtree of one of the triangles; one that cannot be placed (placement.h) is
     // unknown-opaque.
     void classify(const mesh::UvTriangle& triangle, unsigned level, bool twoState, const Executor& executor,
