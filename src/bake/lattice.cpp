@@ -31,45 +31,4 @@ LatticeFrame::LatticeFrame(const SubTriangle& part, const Placement& placement, 
     valid = rounding < 1e-2;
 }
 
-LatticeChord::Meeting LatticeChord::meets(int32_t i, int32_t j, bool flipped) const {
-    const double sign = flipped ? -1 : 1;
-    const Point<double> corner{static_cast<double>(i + (flipped ? 1 : 0)),
-                               static_cast<double>(j + (flipped ? 1 : 0))};
-    const double sum = i + j + 1;
-    if (!a.outer.overlaps(i, i + 1) || !b.outer.overlaps(j, j + 1)) return Meeting::no;
-    if (flipped ? !c.outer.overlaps(n_ - sum - 1, n_ - sum) : !c.outer.overlaps(n_ - sum, n_ - sum + 1)) {
-        return Meeting::no;
-    }
-    if (isBeside({corner, {corner.x + sign, corner.y}, {corner.x, corner.y + sign}}, area_))
-        return Meeting::no;
-
-    // The triangle that keeps `inner` from each side.
-    const double size = 1 - a.inner - b.inner - c.inner;
-    if (size <= 0) return Meeting::unclear;
-    const Point<double> in{corner.x + sign * a.inner, corner.y + sign * b.inner};
-    const Span chordA(p_.x, q_.x, 0);
-    const Span chordB(p_.y, q_.y, 0);
-    const Span chordSum(p_.x + p_.y, q_.x + q_.y, 0);
-    const double far = sign * size;
-    const auto clear = [](const Span& span, double from, double to) {
-        return span.overlaps(std::min(from, to), std::max(from, to));
-    };
-    const bool meet = clear(chordA, in.x, in.x + far) && clear(chordB, in.y, in.y + far) &&
-                      clear(chordSum, in.x + in.y, in.x + in.y + far) &&
-                      !isBeside({in, {in.x + far, in.y}, {in.x, in.y + far}}, 0);
-    return meet ? Meeting::yes : Meeting::unclear;
-}
-
-// True when all corners lie on one side of the chord's line, further than `area` tells.
-bool LatticeChord::isBeside(const std::array<Point<double>, 3>& corners, double area) const {
-    double low = 1e300;
-    double high = -1e300;
-    for (const Point<double>& v : corners) {
-        const double turn = (q_.x - p_.x) * (v.y - p_.y) - (q_.y - p_.y) * (v.x - p_.x);
-        low = std::min(low, turn);
-        high = std::max(high, turn);
-    }
-    return low > area || high < -area;
-}
-
 }  // namespace filigree::bake

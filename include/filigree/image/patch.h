@@ -89,12 +89,18 @@ struct PatchRange {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
 
-// True unless `v` is surely below 0: keeps what rounding cannot tell.
-inline bool mayBeNotNegative(const Bounded& v, double) {
-    return !v.certainlyNegative();
+// True unless `v` is surely below, resp. above `limit`: keeps what rounding cannot tell.
+inline bool mayBeAtLeast(const Bounded& v, double limit, double) {
+    return v.value() + v.error() >= limit;
 }
-inline bool mayBeNotNegative(double v, double slack) {
-    return v >= -slack;
+inline bool mayBeAtLeast(double v, double limit, double slack) {
+    return v >= limit - slack;
+}
+inline bool mayBeAtMost(const Bounded& v, double limit, double) {
+    return v.value() - v.error() <= limit;
+}
+inline bool mayBeAtMost(double v, double limit, double slack) {
+    return v <= limit + slack;
 }
 
 inline bool isNotNegative(const Bounded& v) {
@@ -115,7 +121,8 @@ void cut(PatchPolygon<Real>& polygon, double slack, Real PatchPoint<Real>::*axis
     std::array<bool, PatchPolygon<Real>::capacity> keep;
     size_t kept = 0;
     for (size_t k = 0; k < n; ++k) {
-        keep[k] = mayBeNotNegative(distance(polygon[k]), slack);
+        const Real& at = polygon[k].*axis;
+        keep[k] = sign > 0 ? mayBeAtLeast(at, bound, slack) : mayBeAtMost(at, bound, slack);
         kept += keep[k] ? 1 : 0;
     }
     if (kept == n) return;
