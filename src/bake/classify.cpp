@@ -65,11 +65,23 @@ class Classifier {
     // The state of a part that is all one, or -1 where it may not be.
     [[nodiscard]] int uniformState(const SubTriangle& part) const {
         for (size_t k = 0; k < placements_.size(); ++k) {
-            if (mayCross(part, placements_[k], field_.layers()[k].outline, field_.guard())) return -1;
+            if (isCrossed(part, placements_[k], field_.layers()[k].outline, field_.guard())) return -1;
         }
         if (const std::optional<bool> side = commonSide(part)) return *side ? 1 : 0;
-        if (mayCross(part, sidePlacement(), field_.sideOutline(), 0)) return -1;
+        if (isCrossed(part, sidePlacement(), field_.sideOutline(), 0)) return -1;
         return sideOf(part, sidePlacement(), field_.sideOutline()).value_or(true) ? 3 : 2;
+    }
+
+    // Where the tracer cannot take over, a part is looked at closely before it is divided: else a triangle
+    // much smaller than a texel would be divided to the end for an outline next to it.
+    static bool isCrossed(const SubTriangle& part, const Placement& placement, const image::Outline& outline,
+                          double guard) {
+        if (!mayCross(part, placement, outline, guard)) return false;
+        if (isTraceable(part, placement, guard)) return true;
+        Tile one;
+        one.reset(0);
+        markCrossed({part.level, 0, part.corner}, placement, outline, guard, one);
+        return one.unknown.test(0);
     }
 
     // The side of a part that no outline crosses, where all layers agree on it.
@@ -184,7 +196,14 @@ int Classified::appendLeaf(unsigned height, int state) {
 
 void classify(const mesh::UvTriangle& triangle, const Field& field, unsigned level, bool twoState,
               const Executor& executor, Classified& to) {
-    Classifier(triangle, field, twoState).visit(SubTriangle::whole(level), executor, to);
+    const Classifier classifier(triangle, field, twoState);
+    if (triangle.uv[0] == triangle.uv[1] && triangle.uv[0] == triangle.uv[2]) {
+        // All micro-triangles are one point.
+        Classified point;
+        to.appendLeaf(level, classifier.visit(SubTriangle::whole(0), executor, point));
+        return;
+    }
+    classifier.visit(SubTriangle::whole(level), executor, to);
 }
 
 }  // namespace filigree::bake
