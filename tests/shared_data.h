@@ -19,8 +19,8 @@ inline std::filesystem::path sharedData() {
 }  // namespace filigree::tests
 
 // Skips the running test unless the shared data is there.
-#define FILIGREE_NEEDS_SHARED_DATA()                                                       \
-    if (filigree::tests::sharedData().empty()) {                                           \
+#define FILIGREE_NEEDS_SHARED_DATA()                                                        \
+    if (filigree::tests::sharedData().empty()) {                                            \
         GTEST_SKIP() << "the shared test data is absent (FILIGREE_SHARED_DATA names none)"; \
-    }                                                                                      \
+    }                                                                                       \
     static_assert(true)

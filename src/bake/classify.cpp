@@ -5,6 +5,7 @@
 #include "bake/majority.h"
 #include "bake/trace.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr unsigned parallelHeight = 9;  // parts of at least 4^9 micro-triangles are shared out
 constexpr double widestTile = 4;        // periods of the texture that a tile may span before it is divided
+constexpr double widestMicro = 256;     // cells that a micro-triangle of a tile may span before it is divided
 
 // The side of a part that no outline of a layer crosses: one point tells, and the one furthest from the
 // threshold tells best. None where all are too close to call.
@@ -95,14 +97,16 @@ class Classifier {
         return common;
     }
 
-    // False for parts that are better divided: too thin for the lattice, or many periods of the texture wide.
+    // False for parts that are better divided: too thin for the lattice, many periods of the texture wide, or
+    // so coarse that to follow the outline costs more than to find one piece of it in each micro-triangle.
     [[nodiscard]] bool fitsTile(const SubTriangle& part) const {
         if (part.height == 0) return true;
         for (size_t k = 0; k < placements_.size(); ++k) {
             if (!isTraceable(part, placements_[k], field_.guard())) return false;
             const image::Outline& outline = field_.layers()[k].outline;
-            const double width = widestTile * static_cast<double>(outline.axisX().cells);
-            const double height = widestTile * static_cast<double>(outline.axisY().cells);
+            const double coarse = widestMicro * static_cast<double>(int64_t{1} << part.height);
+            const double width = std::min(coarse, widestTile * static_cast<double>(outline.axisX().cells));
+            const double height = std::min(coarse, widestTile * static_cast<double>(outline.axisY().cells));
             const auto [a, b, c] = part.corners(placements_[k]);
             for (const Point<double>& p : {b, c}) {
                 if (std::fabs(p.x - a.x) > width || std::fabs(p.y - a.y) > height) return false;

@@ -20,8 +20,8 @@ enum class Show : uint8_t {
 };
 
 struct Column {
-    std::string key;   // in JSON and CSV; unique in its table
-    std::string name;  // heading for people
+    std::string key;     // in JSON and CSV; unique in its table
+    std::string name;    // heading for people
     std::string unit{};  // "bytes", "texels"; empty for none
     Show show = Show::plain;
     int decimals = 2;
