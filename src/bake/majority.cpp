@@ -9,7 +9,7 @@ namespace filigree::bake {
 namespace {
 
 constexpr unsigned leastDepth = 2;
-constexpr unsigned mostDepth = 6;
+constexpr unsigned mostDepth = 5;
 
 std::vector<SideRule::Centroid> makeCentroids(unsigned levels) {
     std::vector<SideRule::Centroid> centroids;
@@ -29,7 +29,7 @@ std::vector<SideRule::Centroid> makeCentroids(unsigned levels) {
 
 const std::vector<SideRule::Centroid>& SideRule::centroids(unsigned depth) {
     static const std::array<std::vector<Centroid>, mostDepth - leastDepth + 1> all{
-        makeCentroids(2), makeCentroids(3), makeCentroids(4), makeCentroids(5), makeCentroids(6)};
+        makeCentroids(2), makeCentroids(3), makeCentroids(4), makeCentroids(5)};
     return all[depth - leastDepth];
 }
 
@@ -56,7 +56,10 @@ SideRule::SideRule(const SubTriangle& part, const Placement& placement, const im
         offsetX_.push_back(static_cast<float>(c.i * ux + c.j * vx));
         offsetY_.push_back(static_cast<float>(c.i * uy + c.j * vy));
     }
-    reach_ = std::max({std::fabs(ux), std::fabs(uy), std::fabs(vx), std::fabs(vy)});
+    const auto [minX, maxX] = std::ranges::minmax(offsetX_);
+    const auto [minY, maxY] = std::ranges::minmax(offsetY_);
+    rangeX_ = {minX, maxX};
+    rangeY_ = {minY, maxY};
 }
 
 bool SideRule::isOpaque(micromap::LatticeTriangle t) const {
@@ -66,7 +69,7 @@ bool SideRule::isOpaque(micromap::LatticeTriangle t) const {
     int64_t column = 0;
     int64_t row = 0;
     size_t opaque = 0;
-    if (liesInside(corner, column, row)) {
+    if (liesInside(corner, sign, column, row)) {
         const Votes votes{&outline_->texture().image,
                           static_cast<uint32_t>(column),
                           static_cast<uint32_t>(row),
@@ -85,19 +88,28 @@ bool SideRule::isOpaque(micromap::LatticeTriangle t) const {
     return 2 * opaque >= offsetX_.size();
 }
 
-bool SideRule::liesInside(const Point<double>& corner, int64_t& column, int64_t& row) const {
-    if (outline_->filter() != image::Filter::linear) return false;
-    const image::Outline::Axis& x = outline_->axisX();
-    const image::Outline::Axis& y = outline_->axisY();
-    // The cell of the corner where the image itself lies; samples reach `margin` cells around it.
-    column = floorToInt(corner.x);
-    row = floorToInt(corner.y);
-    if (x.wrap != image::Wrap::clampToEdge) column = x.canonical(column);
-    if (y.wrap != image::Wrap::clampToEdge) row = y.canonical(row);
-    const auto margin = static_cast<int64_t>(2 * reach_) + 2;
-    return column >= margin && column + margin < static_cast<int64_t>(x.size) && row >= margin &&
-           row + margin < static_cast<int64_t>(y.size) &&
-           outline_->texture().image.texels.size() < (size_t{1} << 30);
+namespace {
+
+// The cell at which samples from `corner` on start, where the image itself lies: true when no sample leaves
+// it.
+bool startsInside(double corner, const std::array<float, 2>& range, double sign, const image::CellAxis& axis,
+                  int64_t& cell) {
+    const int64_t unwrapped = floorToInt(corner);
+    cell = axis.clamps() ? unwrapped : axis.canonical(unwrapped);
+    const double inCell = corner - static_cast<double>(unwrapped);
+    const double first = inCell + std::min(sign * double{range[0]}, sign * double{range[1]});
+    const double last = inCell + std::max(sign * double{range[0]}, sign * double{range[1]});
+    // A texel to spare for single precision.
+    return cell + floorToInt(first) >= 1 && cell + floorToInt(last) + 2 < static_cast<int64_t>(axis.size);
+}
+
+}  // namespace
+
+bool SideRule::liesInside(const Point<double>& corner, double sign, int64_t& column, int64_t& row) const {
+    return outline_->filter() == image::Filter::linear &&
+           outline_->texture().image.texels.size() < (size_t{1} << 30) &&
+           startsInside(corner.x, rangeX_, sign, outline_->axisX(), column) &&
+           startsInside(corner.y, rangeY_, sign, outline_->axisY(), row);
 }
 
 }  // namespace filigree::bake

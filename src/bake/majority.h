@@ -24,22 +24,24 @@ class SideRule {
         double i = 0;
         double j = 0;
     };
-    // Those of the 4^depth parts, 2 <= depth <= 6.
+    // Those of the 4^depth parts, 2 <= depth <= 5.
     static const std::vector<Centroid>& centroids(unsigned depth);
 
-    // At least 2, and deep enough that a part covers at most 4 square texels, but at most 6.
+    // At least 2, and deep enough that a part covers at most 4 square texels, but at most 5.
     static unsigned depth(double squareTexels);
 
   private:
     // True when all samples of the micro-triangle at `corner` read texels of the image as it lies in memory.
-    [[nodiscard]] bool liesInside(const Point<double>& corner, int64_t& column, int64_t& row) const;
+    [[nodiscard]] bool liesInside(const Point<double>& corner, double sign, int64_t& column,
+                                  int64_t& row) const;
 
     const SubTriangle* part_;
     const Placement* placement_;
     const image::Outline* outline_;
     std::vector<float> offsetX_;  // of the centroids of an upright micro-triangle from its first corner
     std::vector<float> offsetY_;
-    double reach_ = 0;  // the furthest of them in x or y
+    std::array<float, 2> rangeX_{};  // least and most of them
+    std::array<float, 2> rangeY_{};
 };
 
 }  // namespace filigree::bake
