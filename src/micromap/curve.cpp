@@ -56,8 +56,9 @@ LatticeTriangle latticeTriangle(uint32_t index, unsigned level) {
 uint32_t barycentricsToIndex(float u, float v, unsigned level) {
     assert(level <= 15);
     const uint32_t n = 1u << level;
-    const float scaledU = std::clamp(u, 0.0f, 1.0f) * static_cast<float>(n);
-    const float scaledV = std::clamp(v, 0.0f, 1.0f) * static_cast<float>(n);
+    const auto clamped = [](float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; };
+    const float scaledU = clamped(u) * static_cast<float>(n);
+    const float scaledV = clamped(v) * static_cast<float>(n);
     uint32_t iu = static_cast<uint32_t>(scaledU);
     uint32_t iv = static_cast<uint32_t>(scaledV);
     const float fractionU = scaledU - static_cast<float>(iu);

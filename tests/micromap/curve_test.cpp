@@ -1,10 +1,14 @@
 #include "filigree/micromap/curve.h"
 
+#include "filigree/micromap/curve_batch.h"
+
 #include "shared_data.h"
 
 #include <bit>
 #include <fstream>
+#include <limits>
 #include <sstream>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +72,26 @@ TEST(Curve, AgreesWithTheReferenceVectors) {
             << line;
     }
     EXPECT_GT(rows, 1000u);
+}
+
+// Points on and off the lattices of many levels, inside, outside and on the border.
+TEST(Curve, BatchEqualsOneByOne) {
+    std::vector<float> u;
+    std::vector<float> v;
+    std::vector<uint32_t> levels;
+    for (int i = -3; i < 70; ++i) {
+        for (int j = -3; j < 70; ++j) {
+            u.push_back(static_cast<float>(i) / 64.0f + (i % 5 == 0 ? 0.003f : 0.0f));
+            v.push_back(static_cast<float>(j) / 64.0f + (j % 7 == 0 ? 0.001f : 0.0f));
+            levels.push_back(static_cast<uint32_t>((i + 3) * 70 + j + 3) % 16);
+        }
+    }
+    u.back() = std::numeric_limits<float>::quiet_NaN();
+    std::vector<uint32_t> indices(u.size());
+    barycentricsToIndex(u, v, levels, indices);
+    for (size_t k = 0; k < u.size(); ++k) {
+        ASSERT_EQ(indices[k], barycentricsToIndex(u[k], v[k], levels[k])) << u[k] << " " << v[k];
+    }
 }
 
 }  // namespace

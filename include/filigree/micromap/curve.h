@@ -35,8 +35,8 @@ uint32_t curveIndex(LatticeTriangle triangle, unsigned level);
 LatticeTriangle latticeTriangle(uint32_t index, unsigned level);
 
 // Curve index of the micro-triangle that holds the point with barycentrics (u, v), the weights of vertices 1
-// and 2; coordinates outside the triangle are clamped. The same number as the reference function of
-// VK_KHR_opacity_micromap in single precision, ties included. level 0..15.
+// and 2; coordinates outside the triangle are clamped, NaN counts as 0. The same number as the reference
+// function of VK_KHR_opacity_micromap in single precision, ties included. level 0..15.
 uint32_t barycentricsToIndex(float u, float v, unsigned level);
 
 // The corners of child 0..3 of a triangle (a, b, c), in the order that makes the child's own curve run on:

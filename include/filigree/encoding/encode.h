@@ -1,0 +1,24 @@
+// Micromaps as quadtrees to any encoding of them.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/micromap/quadtree.h"
+
+#include <span>
+
+namespace filigree::encoding {
+
+struct EncodeOptions {
+    // Store the opaque share of interior nodes where the encoding can do without (sdag).
+    bool aggregates = false;
+};
+
+// Encodes `maps`, of levels 0..maxLevel in any mixture; map k of the set is maps[k]. With Format::twoState
+// the sides of states are kept. The result does not depend on the executor. ErrorKind::limit when the set
+// outgrows the encoding's offsets, ErrorKind::usage for Encoding::bitmask, which does not encode micromaps.
+Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
+                          micromap::Format format, const EncodeOptions& options, const Executor& executor);
+
+}  // namespace filigree::encoding

@@ -1,0 +1,14 @@
+// Curve indices of many points at once.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace filigree::micromap {
+
+// barycentricsToIndex(u[k], v[k], levels[k]) into indices[k] for all k, in SIMD. All spans have one length;
+// levels 0..15. NaN counts as 0.
+void barycentricsToIndex(std::span<const float> u, std::span<const float> v, std::span<const uint32_t> levels,
+                         std::span<uint32_t> indices);
+
+}  // namespace filigree::micromap

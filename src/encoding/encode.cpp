@@ -1,0 +1,18 @@
+#include "filigree/encoding/encode.h"
+
+#include <fmt/format.h>
+
+namespace filigree::encoding {
+
+Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
+                          micromap::Format format, const EncodeOptions& options, const Executor& executor) {
+    (void)maps, (void)format, (void)options, (void)executor;
+    switch (encoding) {
+        case Encoding::bitmask:
+            return Error{ErrorKind::usage, "bitmask encodes textures, not micromaps"};
+        default:
+            return Error{ErrorKind::unsupported, fmt::format("{} is not in this version", nameOf(encoding))};
+    }
+}
+
+}  // namespace filigree::encoding

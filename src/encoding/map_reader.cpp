@@ -1,0 +1,19 @@
+#include "filigree/encoding/map_reader.h"
+
+#include "encoding/reader_of.h"
+
+#include <fmt/format.h>
+
+namespace filigree::encoding {
+
+Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
+    switch (set.encoding) {
+        case Encoding::bitmask:
+            return Error{ErrorKind::usage, "bitmask holds textures, not micromaps"};
+        default:
+            return Error{ErrorKind::unsupported,
+                         fmt::format("{} is not in this version", nameOf(set.encoding))};
+    }
+}
+
+}  // namespace filigree::encoding
