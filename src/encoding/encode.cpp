@@ -1,5 +1,7 @@
 #include "filigree/encoding/encode.h"
 
+#include "filigree/encoding/flat.h"
+
 #include <fmt/format.h>
 
 namespace filigree::encoding {
@@ -8,6 +10,8 @@ Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeV
                           micromap::Format format, const EncodeOptions& options, const Executor& executor) {
     (void)maps, (void)format, (void)options, (void)executor;
     switch (encoding) {
+        case Encoding::flat:
+            return encodeFlat(maps, format, executor);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask encodes textures, not micromaps"};
         default:

@@ -1,5 +1,7 @@
 #include "filigree/encoding/map_reader.h"
 
+#include "filigree/encoding/flat.h"
+
 #include "encoding/reader_of.h"
 
 #include <fmt/format.h>
@@ -8,6 +10,8 @@ namespace filigree::encoding {
 
 Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
     switch (set.encoding) {
+        case Encoding::flat:
+            return openAs<FlatReader>(set);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask holds textures, not micromaps"};
         default:
