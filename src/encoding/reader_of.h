@@ -29,8 +29,21 @@ void lookupByCurve(const Reader& reader, std::span<const uint32_t> maps, std::sp
     }
 }
 
+// MapReader::opaqueShare by counting.
+template <class Reader>
+float countedShare(const Reader& reader, uint32_t map, uint32_t index, unsigned level) {
+    assert(level <= reader.level(map) && index < micromap::microTriangleCount(level));
+    const uint64_t count = micromap::microTriangleCount(reader.level(map) - level);
+    const uint64_t first = index * count;
+    uint64_t opaque = 0;
+    for (uint64_t k = first; k < first + count; ++k) {
+        opaque += micromap::isOpaqueSide(reader.at(map, static_cast<uint32_t>(k))) ? 1 : 0;
+    }
+    return static_cast<float>(static_cast<double>(opaque) / static_cast<double>(count));
+}
+
 // `Reader` has mapCount(), level(map), at(map, index), at(map, u, v), both lookup(...), decode(map) and
-// parts() as MapReader has them.
+// parts() as MapReader has them, and opaqueShare(map, index, level) where it knows better than to count.
 template <class Reader>
 class ReaderOf final : public MapReader {
   public:
@@ -51,6 +64,13 @@ class ReaderOf final : public MapReader {
     void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
                 std::span<micromap::State> states) const override {
         reader_.lookup(maps, u, v, states);
+    }
+    [[nodiscard]] float opaqueShare(uint32_t map, uint32_t index, unsigned level) const override {
+        if constexpr (requires { reader_.opaqueShare(map, index, level); }) {
+            return reader_.opaqueShare(map, index, level);
+        } else {
+            return countedShare(reader_, map, index, level);
+        }
     }
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const override { return reader_.decode(map); }
     [[nodiscard]] std::vector<Part> parts() const override { return reader_.parts(); }

@@ -37,6 +37,12 @@ class MapReader {
     virtual void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
                         std::span<micromap::State> states) const = 0;
 
+    // The opaque share, 0..1, of part `index` < 4^level of the map at a coarser level, 0..level(map): how
+    // many of its micro-triangles are opaque or unknown-opaque. Unknown ones count by their side. From the
+    // shares that the encoding stores (dag; sdag with EncodeOptions::aggregates) to within 1/65535; else
+    // slow: it looks at every micro-triangle of the part.
+    [[nodiscard]] virtual float opaqueShare(uint32_t map, uint32_t index, unsigned level) const = 0;
+
     // All of one map.
     [[nodiscard]] virtual micromap::Quadtree decode(uint32_t map) const = 0;
 
