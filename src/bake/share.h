@@ -1,12 +1,10 @@
 // Equal micromaps are stored once.
 #pragma once
 
-#include "filigree/micromap/set.h"
+#include "filigree/micromap/distinct_trees.h"
 
 #include <cstdint>
-#include <optional>
-#include <unordered_map>
-#include <vector>
+#include <utility>
 
 namespace filigree::bake {
 
@@ -25,14 +23,11 @@ class Sharer {
     // `hash` is micromap::hash(tree). Hashes only find candidates; the bits decide.
     Shared add(const micromap::QuadtreeView& tree, uint64_t hash);
 
-    micromap::QuadtreeList take() && { return std::move(list_); }
+    micromap::QuadtreeList take() && { return std::move(trees_).take(); }
 
   private:
-    [[nodiscard]] std::optional<int32_t> find(const micromap::QuadtreeView& tree, uint64_t hash) const;
-
     bool rotate_;
-    micromap::QuadtreeList list_;
-    std::unordered_multimap<uint64_t, int32_t> byHash_;
+    micromap::DistinctTrees trees_;
 };
 
 }  // namespace filigree::bake

@@ -61,7 +61,7 @@ Json micromapManifest(const OutputMicromaps& item, size_t number, BlobWriter& wr
 }
 
 Json indexManifest(const OutputPrimitive& item, const std::string& stem, BlobWriter& writer) {
-    const size_t bytes = indexBytes(item.indices);
+    const size_t bytes = micromap::indexBytes(item.indices);
     const auto type =
         std::find_if(indexTypes.begin(), indexTypes.end(), [&](const auto& t) { return t.bytes == bytes; });
     Json json = writer.file(stem + ".indices.bin", encodeIndices(item.indices, bytes));

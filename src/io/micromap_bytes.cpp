@@ -78,12 +78,6 @@ std::optional<Overlap> findOverlap(std::span<const micromap::Record> records) {
     return std::nullopt;
 }
 
-size_t indexBytes(std::span<const int32_t> indices) {
-    const int64_t most = indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end());
-    if (most < 256 - specials) return 1;
-    return most < 65536 - specials ? 2 : 4;
-}
-
 std::vector<uint8_t> encodeIndices(std::span<const int32_t> indices, size_t bytes) {
     std::vector<uint8_t> encoded(indices.size() * bytes);
     for (size_t i = 0; i < indices.size(); ++i) {

@@ -39,9 +39,7 @@ struct Overlap {
 };
 std::optional<Overlap> findOverlap(std::span<const micromap::Record> records);
 
-// Bytes of the smallest unsigned type that holds all `indices`, special ones in two's complement: 1, 2 or 4.
-// An n-bit type holds records below 2^n - 4, so that no record reads as special.
-size_t indexBytes(std::span<const int32_t> indices);
+// `bytes` for each index, as micromap::indexBytes finds them.
 std::vector<uint8_t> encodeIndices(std::span<const int32_t> indices, size_t bytes);
 
 // An unsigned n-byte index as a record (>= 0) or special (-1..-4).

@@ -117,15 +117,16 @@ std::vector<size_t> addIndexAccessors(const MicromapOutput& output, Rewrite& rew
     for (const OutputPrimitive& primitive : output.primitives) {
         bytes.resize((bytes.size() + 3) / 4 * 4);
         offsets.push_back(bytes.size());
-        const std::vector<uint8_t> encoded = encodeIndices(primitive.indices, indexBytes(primitive.indices));
+        const std::vector<uint8_t> encoded =
+            encodeIndices(primitive.indices, micromap::indexBytes(primitive.indices));
         bytes.insert(bytes.end(), encoded.begin(), encoded.end());
     }
     const size_t view = rewrite.addView(std::move(bytes), "opacity micromap indices");
     std::vector<size_t> accessors;
     for (size_t i = 0; i < offsets.size(); ++i) {
         const std::span<const int32_t> indices = output.primitives[i].indices;
-        accessors.push_back(
-            addAccessor(rewrite, view, offsets[i], unsignedType(indexBytes(indices)), indices.size()));
+        accessors.push_back(addAccessor(rewrite, view, offsets[i],
+                                        unsignedType(micromap::indexBytes(indices)), indices.size()));
     }
     return accessors;
 }

@@ -1,9 +1,7 @@
-#include "filigree/bake/bake.h"
 #include "filigree/bake/budget.h"
 #include "filigree/jobs/bake.h"
 
-#include "jobs/alpha_source.h"
-#include "jobs/one_stage.h"
+#include "jobs/bake_stages.h"
 #include "jobs/stopwatch.h"
 
 #include <algorithm>
@@ -14,64 +12,6 @@ namespace filigree::jobs {
 namespace {
 
 constexpr double maxGuard = 1024;  // texels; what bake::bake takes
-
-AlphaSource sourceToBake(const scene::Material& material, const BakeParameters& parameters) {
-    AlphaSource source = sourceOf(material);
-    if (source.test.mode == image::AlphaMode::mask) {
-        source.test.cutoff = parameters.cutoff.value_or(source.test.cutoff);
-    }
-    source.test.mips = parameters.mips;
-    source.test.guard = parameters.guard;
-    return source;
-}
-
-bool isBaked(const scene::Material& material, const BakeParameters& parameters) {
-    return material.alphaMode == scene::AlphaMode::mask ||
-           (material.alphaMode == scene::AlphaMode::blend && parameters.includeBlend);
-}
-
-// Drops the micromaps the scene came with and sorts the primitives that get new ones by alpha source.
-std::vector<AlphaGroup> gatherGroups(scene::Scene& scene, const BakeParameters& parameters,
-                                     BakeSummary& summary) {
-    std::vector<AlphaGroup> groups;
-    scene.micromaps.clear();
-    for (auto& mesh : scene.meshes) {
-        for (auto& primitive : mesh.primitives) {
-            primitive.micromaps = -1;
-            primitive.micromapIndices.clear();
-            summary.triangles += primitive.triangleCount();
-            if (primitive.material < 0 || primitive.triangleCount() == 0) continue;
-            const auto& material = scene.materials[static_cast<size_t>(primitive.material)];
-            if (!isBaked(material, parameters)) continue;
-            summary.maskedTriangles += primitive.triangleCount();
-            addToGroup(groups, sourceToBake(material, parameters), primitive);
-        }
-    }
-    return groups;
-}
-
-void noteSkippedMaterials(const scene::Scene& scene, const BakeParameters& parameters, BakeSummary& summary) {
-    size_t opaque = 0;
-    size_t blended = 0;
-    for (const auto& material : scene.materials) {
-        if (isBaked(material, parameters)) continue;
-        (material.alphaMode == scene::AlphaMode::blend ? blended : opaque) += 1;
-    }
-    if (opaque > 0)
-        summary.notes.push_back(fmt::format("OPAQUE materials, passed through untouched: {}", opaque));
-    if (blended > 0) {
-        summary.notes.push_back(fmt::format(
-            "BLEND materials, passed through untouched (--include-blend bakes them): {}", blended));
-    }
-}
-
-// A micromap list may not be empty (formats of glTF and Vulkan), even where every index is special.
-void ensureOneRecord(micromap::FlatSet& set, micromap::Format format) {
-    if (!set.records.empty()) return;
-    set.records.push_back({0, 0, format});
-    const auto bits = (1U << micromap::bitsPerState(format)) - 1;
-    set.data.push_back(static_cast<uint8_t>(static_cast<unsigned>(micromap::State::unknownOpaque) & bits));
-}
 
 // Gives each primitive its part of the group's indices, and turns its triangles where the baker did.
 void handOut(const std::vector<scene::Primitive*>& primitives, int micromaps, const bake::Baked& baked,
@@ -103,48 +43,13 @@ void count(const micromap::FlatSet& set, const bake::Statistics& statistics, Bak
     summary.knownMicroTriangles += statistics.states.known();
 }
 
-bake::Settings settingsOf(const BakeParameters& parameters) {
-    bake::Settings settings;
-    settings.format = parameters.states == 2 ? micromap::Format::twoState : micromap::Format::fourState;
-    settings.level = parameters.level;
-    settings.maxLevel = parameters.maxLevel;
-    settings.rotate = parameters.rotate;
-    return settings;
-}
-
-// Bytes that a primitive's indices take in the smallest type that the formats allow: an n-bit one holds
-// records below 2^n - 4.
-uint64_t indexBytes(const std::vector<int32_t>& indices) {
-    const int32_t highest = *std::max_element(indices.begin(), indices.end());
-    return indices.size() * (highest < 0xFF - 3 ? 1 : highest < 0xFFFF - 3 ? 2 : 4);
-}
-
-// A group on its way through the stages.
-struct GroupBake {
-    const AlphaGroup* group;
-    std::string name;
-    image::AlphaTest test;
-    bake::Baked baked;
-};
-
-Result<GroupBake> bakeGroup(const scene::Scene& scene, const AlphaGroup& group,
-                            const BakeParameters& parameters, const Executor& executor, OneStage& stage) {
-    const std::string name = nameOf(scene, group.source);
-    const image::AlphaTexture texture = textureOf(scene, group.source);
-    const image::AlphaTest test = testFor(group.source, texture);
-    auto baked =
-        bake::bake(trianglesOf(group.primitives), texture, test, settingsOf(parameters), executor, stage);
-    if (!baked) return baked.error().within(name);
-    return GroupBake{&group, name, test, std::move(*baked)};
-}
-
 // World area of the triangles that use each micromap of a group, by micromap; what is left is that of unknown
 // ones.
-std::vector<double> weightsOf(const scene::Scene& scene, const GroupBake& group, double& unknownWeight) {
+std::vector<double> weightsOf(const scene::Scene& scene, const BakedGroup& group, double& unknownWeight) {
     const auto& indices = group.baked.set.indices;
     std::vector<double> weights(group.baked.set.trees.size(), 0.0);
     size_t t = 0;
-    for (const auto* primitive : group.group->primitives) {
+    for (const auto* primitive : group.alpha.primitives) {
         for (const double area : scene::worldAreas(scene, *primitive)) {
             const int32_t index = indices[t++];
             if (index >= 0) {
@@ -158,11 +63,11 @@ std::vector<double> weightsOf(const scene::Scene& scene, const GroupBake& group,
 }
 
 // Coarsens the micromaps of all groups until they fit the budget.
-void fitBudget(const scene::Scene& scene, uint64_t budget, std::vector<GroupBake>& groups,
+void fitBudget(const scene::Scene& scene, uint64_t budget, std::vector<BakedGroup>& groups,
                BakeSummary& summary) {
     std::vector<bake::BudgetMap> maps;
     double unknownWeight = 0;
-    for (const GroupBake& group : groups) {
+    for (const BakedGroup& group : groups) {
         const std::vector<double> weights = weightsOf(scene, group, unknownWeight);
         for (size_t k = 0; k < weights.size(); ++k) maps.push_back({group.baked.set.trees[k], weights[k]});
     }
@@ -174,7 +79,7 @@ void fitBudget(const scene::Scene& scene, uint64_t budget, std::vector<GroupBake
     summary.budgetCost = choice.cost + unknownWeight;
     summary.budgetBound = choice.bound + unknownWeight;
     size_t first = 0;
-    for (GroupBake& group : groups) {
+    for (BakedGroup& group : groups) {
         const size_t count = group.baked.set.trees.size();
         group.baked.set = bake::coarsenedTo(group.baked.set, std::span(choice.levels).subspan(first, count));
         first += count;
@@ -197,25 +102,23 @@ micromap::StateCounts countStates(const micromap::TreeSet& set) {
 }
 
 // Flattens a group's micromaps into the scene and counts them.
-Status finishGroup(scene::Scene& scene, GroupBake& group, bool budgeted, const Executor& executor,
+Status finishGroup(scene::Scene& scene, BakedGroup& group, bool budgeted, const Executor& executor,
                    BakeSummary& summary) {
     auto flat = micromap::flatten(group.baked.set, executor);
     if (!flat) return flat.error().within(group.name);
-    ensureOneRecord(*flat, group.baked.set.format);
+    micromap::ensureOneRecord(*flat, group.baked.set.format);
     bake::Statistics statistics = group.baked.statistics;
     if (budgeted) {
         statistics.states = countStates(group.baked.set);
         statistics.microTriangles = statistics.states.total();
     }
     count(*flat, statistics, summary);
-    if (const uint64_t lost = statistics.nonFiniteTriangles; lost > 0) {
-        summary.notes.push_back(
-            fmt::format("{}: triangles whose texture coordinates are no numbers, made unknown-opaque: {}",
-                        group.name, lost));
-    }
-    const auto& primitives = group.group->primitives;
+    const auto& primitives = group.alpha.primitives;
     handOut(primitives, static_cast<int>(scene.micromaps.size()), group.baked, flat->indices);
-    for (const auto* primitive : primitives) summary.indexBytes += indexBytes(primitive->micromapIndices);
+    for (const auto* primitive : primitives) {
+        const auto& indices = primitive->micromapIndices;
+        summary.indexBytes += indices.size() * micromap::indexBytes(indices);
+    }
     flat->indices.clear();
     scene.micromaps.push_back({std::move(*flat), group.test, group.name});
     return {};
@@ -246,24 +149,10 @@ Result<BakeSummary> bakeScene(scene::Scene& scene, const BakeParameters& paramet
     if (auto checked = check(parameters); !checked) return checked.error();
     const Stopwatch watch;
     BakeSummary summary;
-    const auto groups = gatherGroups(scene, parameters, summary);
-    noteSkippedMaterials(scene, parameters, summary);
-    if (parameters.mips == allMips && !groups.empty()) {
-        summary.notes.push_back(
-            "mips all: the coarsest level is one constant, so that few states stay known");
-    }
-    OneStage stage(progress, "bake", summary.maskedTriangles, "triangles");
-    uint64_t finished = 0;
-    std::vector<GroupBake> bakes;
-    for (const auto& group : groups) {
-        auto baked = bakeGroup(scene, group, parameters, executor, stage);
-        if (!baked) return baked.error();
-        bakes.push_back(std::move(*baked));
-        for (const auto* primitive : group.primitives) finished += primitive->triangleCount();
-        stage.advanceTo(finished);
-    }
-    if (parameters.budget) fitBudget(scene, *parameters.budget, bakes, summary);
-    for (GroupBake& group : bakes) {
+    auto groups = bakeGroups(scene, parameters, executor, progress, summary);
+    if (!groups) return groups.error();
+    if (parameters.budget) fitBudget(scene, *parameters.budget, *groups, summary);
+    for (BakedGroup& group : *groups) {
         auto finishedGroup = finishGroup(scene, group, parameters.budget.has_value(), executor, summary);
         if (!finishedGroup) return finishedGroup.error();
     }

@@ -52,6 +52,19 @@ Result<FlatSet> flatten(const TreeSet& set, const Executor& executor) {
     return flat;
 }
 
+void ensureOneRecord(FlatSet& set, Format format) {
+    if (!set.records.empty()) return;
+    set.records.push_back({0, 0, format});
+    const auto bits = (1U << bitsPerState(format)) - 1;
+    set.data.push_back(static_cast<uint8_t>(static_cast<unsigned>(State::unknownOpaque) & bits));
+}
+
+size_t indexBytes(std::span<const int32_t> indices) {
+    const int32_t most = indices.empty() ? 0 : *std::ranges::max_element(indices);
+    if (most < 0x100 - 4) return 1;
+    return most < 0x10000 - 4 ? 2 : 4;
+}
+
 State flatState(const FlatSet& set, const Record& record, uint64_t index) {
     const unsigned bits = bitsPerState(record.format);
     const uint64_t bit = index * bits;

@@ -7,6 +7,7 @@
 #include "filigree/micromap/state.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace filigree::micromap {
@@ -49,6 +50,14 @@ uint64_t flatDataBytes(const TreeSet& set);
 // The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of
 // the 32-bit offsets.
 Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor());
+
+// Gives a set without records one that no index names: lists of micromaps may not be empty in glTF and
+// Vulkan, even where every index is special.
+void ensureOneRecord(FlatSet& set, Format format);
+
+// Bytes of the smallest unsigned type that holds all `indices`, special ones in two's complement: 1, 2 or 4.
+// An n-bit type holds records below 2^n - 4, so that no record reads as special.
+size_t indexBytes(std::span<const int32_t> indices);
 
 // The four-state value of micro-triangle `index` of a flat record. 2-state gives transparent or opaque.
 State flatState(const FlatSet& set, const Record& record, uint64_t index);
