@@ -1,5 +1,6 @@
 #include "filigree/encoding/encode.h"
 
+#include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,8 @@ Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeV
     switch (encoding) {
         case Encoding::flat:
             return encodeFlat(maps, format, executor);
+        case Encoding::dag:
+            return encodeDag(maps, format, executor);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask encodes textures, not micromaps"};
         default:

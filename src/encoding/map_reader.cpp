@@ -1,5 +1,6 @@
 #include "filigree/encoding/map_reader.h"
 
+#include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
 
 #include "encoding/reader_of.h"
@@ -12,6 +13,8 @@ Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
     switch (set.encoding) {
         case Encoding::flat:
             return openAs<FlatReader>(set);
+        case Encoding::dag:
+            return openAs<DagReader>(set);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask holds textures, not micromaps"};
         default:

@@ -15,6 +15,7 @@ namespace filigree::tests {
 // Encodings of MapReader's maps.
 inline constexpr std::array testedEncodings{
     encoding::Encoding::flat,
+    encoding::Encoding::dag,
 };
 
 // What an encoding gives back for a state that went in.
