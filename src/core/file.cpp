@@ -1,36 +1,17 @@
 #include "filigree/core/file.h"
 
-#include <cerrno>
+#include "core/descriptor.h"
+
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 namespace filigree {
 namespace {
 
-Error fileError(const std::filesystem::path& path, std::string_view what) {
-    return {ErrorKind::file, fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno))};
-}
-
-// Owns a descriptor; close() reports the error that a late write may raise.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    [[nodiscard]] int get() const { return fd_; }
-    bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
-  private:
-    int fd_;
-};
+using Pieces = std::span<const std::span<const uint8_t>>;
 
 bool writeAll(int fd, std::span<const uint8_t> bytes) {
     while (!bytes.empty()) {
@@ -40,6 +21,10 @@ bool writeAll(int fd, std::span<const uint8_t> bytes) {
         bytes = bytes.subspan(static_cast<size_t>(written));
     }
     return true;
+}
+
+bool writeAll(int fd, Pieces pieces) {
+    return std::ranges::all_of(pieces, [fd](auto piece) { return writeAll(fd, piece); });
 }
 
 }  // namespace
@@ -73,7 +58,7 @@ Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path, uint64_
     return bytes;
 }
 
-Status writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+Status writeFile(const std::filesystem::path& path, Pieces bytes) {
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
         // A device or pipe cannot be replaced by a rename.
@@ -95,6 +80,10 @@ Status writeFile(const std::filesystem::path& path, std::span<const uint8_t> byt
         return error;
     }
     return {};
+}
+
+Status writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes) {
+    return writeFile(path, Pieces(&bytes, 1));
 }
 
 Status writeFile(const std::filesystem::path& path, std::string_view text) {

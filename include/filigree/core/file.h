@@ -20,4 +20,7 @@ Result<std::vector<uint8_t>> readFile(const std::filesystem::path& path, uint64_
 Status writeFile(const std::filesystem::path& path, std::span<const uint8_t> bytes);
 Status writeFile(const std::filesystem::path& path, std::string_view text);
 
+// The same with the bytes in pieces, one after another.
+Status writeFile(const std::filesystem::path& path, std::span<const std::span<const uint8_t>> pieces);
+
 }  // namespace filigree

@@ -1,0 +1,37 @@
+// The numbers of docs/spec/fil.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace filigree::io {
+
+inline constexpr std::array<uint8_t, 8> filMagic{0x89, 'F', 'I', 'L', '\r', '\n', 0x1a, '\n'};
+inline constexpr uint32_t filVersion = 1;
+inline constexpr size_t filHeaderBytes = 24;
+inline constexpr size_t filEntryBytes = 40;
+inline constexpr size_t filHashBytes = 8;
+inline constexpr uint32_t filMaxSections = 64;
+inline constexpr uint64_t filAlignment = 64;
+inline constexpr uint8_t filNoLevel = 255;
+inline constexpr uint32_t filSpecials = 4;
+
+enum class FilKind : uint32_t { meta = 1, indices = 2, descriptors = 3, payload = 4, pairs = 5 };
+inline constexpr uint32_t filOptionalKind = 0x80000000;  // kinds from here on may be passed over
+inline constexpr uint32_t filZstd = 1;                   // the one flag
+
+inline std::string filKindName(uint32_t kind) {
+    static constexpr std::array<std::string_view, 6> names{"",        "meta", "indices", "descriptors",
+                                                           "payload", "pairs"};
+    return kind > 0 && kind < names.size() ? std::string(names[kind]) : fmt::format("of kind {}", kind);
+}
+
+constexpr uint64_t filAligned(uint64_t offset) {
+    return (offset + filAlignment - 1) / filAlignment * filAlignment;
+}
+
+}  // namespace filigree::io

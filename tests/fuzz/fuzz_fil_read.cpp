@@ -1,0 +1,36 @@
+// Any bytes as a .fil file, once as they are and once with their hashes made right, so that what lies behind
+// the hashes is reached. None may crash, hang or take much memory.
+#include "filigree/encoding/map_reader.h"
+#include "filigree/io/fil.h"
+
+#include "sample_fil.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace {
+
+void readAll(std::vector<uint8_t> bytes) {
+    using namespace filigree;
+    io::FilReadOptions options;
+    options.maxBytes = uint64_t{64} << 20;
+    const auto file = io::FilFile::parse(std::move(bytes), "input", options);
+    if (!file) return;
+    if (file->set().encoding != encoding::Encoding::bitmask) {
+        std::vector<int32_t> indices(file->meta().triangleCount());
+        file->readIndices(0, indices);
+    }
+    static_cast<void>(encoding::openReader(file->set()).ok());
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    std::vector<uint8_t> bytes(data, data + size);
+    readAll(bytes);
+    filigree::tests::resealFil(bytes);
+    readAll(std::move(bytes));
+    return 0;
+}
