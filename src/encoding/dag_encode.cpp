@@ -24,7 +24,7 @@ struct Chunk {
 
 // Cuts the maps where their quadtrees fill so many bits. Any cuts lead to the same bytes: small ones spread
 // well over threads, large ones leave less to merge.
-constexpr size_t chunkBits = size_t{1} << 21;
+constexpr size_t chunkBits = size_t{1} << 18;
 
 std::vector<Chunk> chunksOf(std::span<const QuadtreeView> maps) {
     std::vector<Chunk> chunks;

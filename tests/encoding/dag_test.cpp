@@ -73,10 +73,31 @@ TEST(Dag, StoresEqualSubtreesOnce) {
     const EncodedSet once = encodeMaps({map}, Format::fourState);
     const EncodedSet twice = encodeMaps({map, map}, Format::fourState);
     EXPECT_EQ(once.payload, twice.payload);
-    // A map of level 11 whose first quarter of a quarter is that map adds no more than its own root.
-    EXPECT_LT(
-        encodeMaps({tests::oddOne(12, 0, State::opaque, State::opaque)}, Format::fourState).payload.size(),
-        400u);
+    // A uniform map of level 12 is one node at each of five heights.
+    const EncodedSet uniform =
+        encodeMaps({tests::oddOne(12, 0, State::opaque, State::opaque)}, Format::fourState);
+    EXPECT_EQ(uniform.payload.size(), 5u * 17 * 4);
+}
+
+// More than is built at once, with subtrees that recur far apart.
+TEST(Dag, ManyChunksGiveTheBytesOfOneThread) {
+    std::mt19937 random(11);
+    std::vector<Quadtree> maps;
+    for (unsigned k = 0; k < 12; ++k) maps.push_back(tests::noise(8 + k % 2, 0.05, random));
+    for (unsigned k = 0; k < 12; ++k) maps.push_back(maps[k]);
+    std::vector<QuadtreeView> views;
+    for (const Quadtree& map : maps) views.push_back(map.view());
+    const auto serial = encodeDag(views, Format::fourState, serialExecutor());
+    const auto threaded = encodeDag(views, Format::fourState, *makeThreadedExecutor(2));
+    ASSERT_TRUE(serial.ok() && threaded.ok());
+    EXPECT_EQ(serial->payload, threaded->payload);
+    EXPECT_EQ(serial->descriptors, threaded->descriptors);
+    const auto reader = DagReader::open(viewOf(*serial));
+    ASSERT_TRUE(reader.ok()) << reader.error().message;
+    for (uint32_t k = 0; k < maps.size(); ++k)
+        EXPECT_TRUE(micromap::equal(reader->decode(k).view(), views[k]));
+    EXPECT_EQ(serial->payload,
+              encodeDag(std::span(views).first(12), Format::fourState, serialExecutor())->payload);
 }
 
 TEST(Dag, SharesAgreeWithCounts) {

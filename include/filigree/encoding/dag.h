@@ -9,8 +9,10 @@
 #include "filigree/micromap/curve.h"
 #include "filigree/micromap/quadtree.h"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -28,14 +30,19 @@ class DagReader {
     [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const {
         const uint32_t from = descriptor(map);
         uint32_t node = from & rootMask;
-        for (unsigned shift = rootShift(from >> rootBits);; shift -= 4) {
+        for (unsigned shift = rootShift(from >> rootBits); shift > 4; shift -= 4) {
             const uint32_t head = word(node);
             const uint32_t child = (index >> shift) & 15;
             if (((head >> child) & 1) == 0) return micromap::State::transparent;
-            const uint32_t rank = rankOf(head, child);
-            if (shift == 4) return stateIn(node, 16 * rank + (index & 15));
-            node = word(node + 1 + rank);
+            node = word(node + 1 + rankOf(head, child));
         }
+        const uint32_t head = word(node);
+        const uint32_t child = (index >> 4) & 15;
+        const uint32_t bit = (16 * rankOf(head, child) + (index & 15)) << widthShift_;
+        // Whether a block is absent is hard to predict: so an absent one reads the head instead.
+        const uint32_t present = (head >> child) & 1;
+        const uint32_t at = node + (present != 0 ? 1 + bit / 32 : 0);
+        return static_cast<micromap::State>((word(at) >> (bit % 32)) & stateMask_ & (0 - present));
     }
     [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
         return at(map, micromap::barycentricsToIndex(u, v, level(map)));
@@ -72,10 +79,15 @@ class DagReader {
     // How far the index is shifted to number a root's children: four bits a node, the last four in a mask.
     static constexpr unsigned rootShift(unsigned level) { return level <= 4 ? 4 : 4 * ((level + 1) / 2) - 4; }
     [[nodiscard]] uint32_t descriptor(uint32_t map) const {
-        return loadLe<uint32_t>(set_.descriptors.data() + size_t{4} * map);
+        return load(set_.descriptors.data() + size_t{4} * map);
     }
-    [[nodiscard]] uint32_t word(uint32_t at) const {
-        return loadLe<uint32_t>(set_.payload.data() + size_t{4} * at);
+    [[nodiscard]] uint32_t word(uint32_t at) const { return load(set_.payload.data() + size_t{4} * at); }
+    // loadLe in one instruction.
+    [[nodiscard]] static uint32_t load(const uint8_t* from) {
+        if constexpr (std::endian::native != std::endian::little) return loadLe<uint32_t>(from);
+        uint32_t value;
+        std::memcpy(&value, from, sizeof value);
+        return value;
     }
     // State `at` of those that a leaf holds.
     [[nodiscard]] micromap::State stateIn(uint32_t leaf, uint32_t at) const {
