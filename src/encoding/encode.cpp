@@ -2,6 +2,8 @@
 
 #include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
+#include "filigree/encoding/indexed_tree.h"
+#include "filigree/encoding/tree.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +15,10 @@ Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeV
     switch (encoding) {
         case Encoding::flat:
             return encodeFlat(maps, format, executor);
+        case Encoding::tree:
+            return encodeTree(maps, format, executor);
+        case Encoding::indexedTree:
+            return encodeIndexedTree(maps, format, executor);
         case Encoding::dag:
             return encodeDag(maps, format, executor);
         case Encoding::bitmask:

@@ -2,6 +2,8 @@
 
 #include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
+#include "filigree/encoding/indexed_tree.h"
+#include "filigree/encoding/tree.h"
 
 #include "encoding/reader_of.h"
 
@@ -13,6 +15,10 @@ Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
     switch (set.encoding) {
         case Encoding::flat:
             return openAs<FlatReader>(set);
+        case Encoding::tree:
+            return openAs<TreeReader>(set);
+        case Encoding::indexedTree:
+            return openAs<IndexedTreeReader>(set);
         case Encoding::dag:
             return openAs<DagReader>(set);
         case Encoding::bitmask:

@@ -15,6 +15,8 @@ namespace filigree::tests {
 // Encodings of MapReader's maps.
 inline constexpr std::array testedEncodings{
     encoding::Encoding::flat,
+    encoding::Encoding::tree,
+    encoding::Encoding::indexedTree,
     encoding::Encoding::dag,
 };
 

@@ -1,0 +1,47 @@
+// Succinct quadtrees with a rank directory: docs/spec/indexed-tree.md. The bits are those of `tree`;
+// Waldemarson and Doggett 2024, section 6.1, ask for such a directory.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/micromap/curve.h"
+#include "filigree/micromap/quadtree.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace filigree::encoding {
+
+// MapReader's functions without virtual calls; see there for ranges.
+class IndexedTreeReader {
+  public:
+    // Checks all of `set` and looks into its blocks from then on.
+    static Result<IndexedTreeReader> open(const EncodedView& set);
+
+    [[nodiscard]] uint32_t mapCount() const { return set_.mapCount; }
+    [[nodiscard]] unsigned level(uint32_t map) const { return set_.descriptors.data()[size_t{map} * 8 + 7]; }
+    // A binary search among every 64th leaf, then at most some hundred bits a byte at a time: O(level).
+    [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const;
+    [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
+        return at(map, micromap::barycentricsToIndex(u, v, level(map)));
+    }
+    void lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
+                std::span<micromap::State> states) const;
+    void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
+                std::span<micromap::State> states) const;
+    [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
+    [[nodiscard]] std::vector<Part> parts() const;
+
+  private:
+    explicit IndexedTreeReader(const EncodedView& set) : set_(set) {}
+
+    EncodedView set_;
+};
+
+// Encodes `maps`. ErrorKind::limit above 4 GiB - 1 of payload.
+Result<EncodedSet> encodeIndexedTree(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
+                                     const Executor& executor);
+
+}  // namespace filigree::encoding

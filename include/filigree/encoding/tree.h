@@ -1,0 +1,47 @@
+// Succinct quadtrees that are read by scanning: docs/spec/tree.md. Waldemarson and Doggett 2024, section 4.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/micromap/curve.h"
+#include "filigree/micromap/quadtree.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace filigree::encoding {
+
+// MapReader's functions without virtual calls; see there for ranges.
+class TreeReader {
+  public:
+    // Checks all of `set` and looks into its blocks from then on.
+    static Result<TreeReader> open(const EncodedView& set);
+
+    [[nodiscard]] uint32_t mapCount() const { return set_.mapCount; }
+    [[nodiscard]] unsigned level(uint32_t map) const { return set_.descriptors.data()[size_t{map} * 8 + 7]; }
+    // Algorithm 3 as it is published: reads the structure bit by bit up to the leaf, about four times as long
+    // at each level.
+    [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const;
+    [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
+        return at(map, micromap::barycentricsToIndex(u, v, level(map)));
+    }
+    void lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
+                std::span<micromap::State> states) const;
+    void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
+                std::span<micromap::State> states) const;
+    [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
+    [[nodiscard]] std::vector<Part> parts() const;
+
+  private:
+    explicit TreeReader(const EncodedView& set) : set_(set) {}
+
+    EncodedView set_;
+};
+
+// Encodes `maps` (algorithms 1 and 2). ErrorKind::limit above 4 GiB - 1 of payload.
+Result<EncodedSet> encodeTree(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
+                              const Executor& executor);
+
+}  // namespace filigree::encoding
