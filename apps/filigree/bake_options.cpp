@@ -34,7 +34,8 @@ uint64_t parseBytes(const std::string& name, const std::string& text) {
     return count << shift;
 }
 
-void addLevels(CLI::App& verb, jobs::BakeParameters& p) {
+void addStatesAndLevels(CLI::App& verb, jobs::BakeParameters& p) {
+    verb.add_option("--states", p.states, "States of a micro-triangle; default 4")->type_name("2|4");
     const auto setLevel = [&p](const std::string& text) {
         if (text != "auto") p.level = parseUnsigned("--level", text);
     };
@@ -43,6 +44,9 @@ void addLevels(CLI::App& verb, jobs::BakeParameters& p) {
             "Subdivision level, or auto (the default): the highest useful one per triangle")
         ->type_name("0..12|auto");
     verb.add_option("--max-level", p.maxLevel, "With auto, the highest level; default 8")->type_name("0..12");
+}
+
+void addBudget(CLI::App& verb, jobs::BakeParameters& p) {
     const auto setBudget = [&p](const std::string& text) { p.budget = parseBytes("--budget", text); };
     verb.add_option_function<std::string>("--budget", setBudget,
                                           "Choose levels so that data and records fit; K, M, G are 1024s")
@@ -64,17 +68,38 @@ void addTest(CLI::App& verb, jobs::BakeParameters& p) {
                   "Bake BLEND materials too: O where alpha is 1, T where it is 0");
 }
 
-}  // namespace
-
-void addBakeOptions(CLI::App& verb, jobs::BakeParameters& p) {
-    verb.add_option("--states", p.states, "States of a micro-triangle; default 4")->type_name("2|4");
-    addLevels(verb, p);
-    addTest(verb, p);
-    verb.add_flag("--rotate", p.rotate, "Rotate triangles' indices where they then share a micromap");
+void checkWhenParsed(CLI::App& verb, const jobs::BakeParameters& p) {
     verb.parse_complete_callback([&p] {
         if (const Status checked = jobs::check(p); !checked)
             throw CLI::ValidationError(checked.error().message);
     });
+}
+
+}  // namespace
+
+void addBakeOptions(CLI::App& verb, jobs::BakeParameters& p) {
+    addStatesAndLevels(verb, p);
+    addBudget(verb, p);
+    addTest(verb, p);
+    verb.add_flag("--rotate", p.rotate, "Rotate triangles' indices where they then share a micromap");
+    checkWhenParsed(verb, p);
+}
+
+void addMapOptions(CLI::App& verb, jobs::BakeParameters& p) {
+    addStatesAndLevels(verb, p);
+    addTest(verb, p);
+    checkWhenParsed(verb, p);
+}
+
+bool hasMapOptions(const CLI::App& verb) {
+    static constexpr std::array names{"--states", "--level",  "--max-level",    "--mips",
+                                      "--guard",  "--cutoff", "--include-blend"};
+    return std::ranges::any_of(names, [&](const char* name) { return verb.count(name) > 0; });
+}
+
+void addTestOptions(CLI::App& verb, jobs::BakeParameters& p) {
+    addTest(verb, p);
+    checkWhenParsed(verb, p);
 }
 
 void printSummary(const jobs::BakeSummary& s) {

@@ -11,6 +11,15 @@ namespace filigree::app {
 // usage.
 void addBakeOptions(CLI::App& verb, jobs::BakeParameters& parameters);
 
+// The same without a budget and rotation, which encodings of micromaps do not take.
+void addMapOptions(CLI::App& verb, jobs::BakeParameters& parameters);
+
+// True when any of them was given.
+bool hasMapOptions(const CLI::App& verb);
+
+// Only those that say when a state is known.
+void addTestOptions(CLI::App& verb, jobs::BakeParameters& parameters);
+
 // Prints a bake's result as a table on stdout.
 void printSummary(const jobs::BakeSummary& summary);
 

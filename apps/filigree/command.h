@@ -73,6 +73,8 @@ using Commands = std::vector<Command>;
 
 // Each adds one verb.
 void addBake(CLI::App& app, Commands& commands);
+void addCompress(CLI::App& app, Commands& commands);
+void addExpand(CLI::App& app, Commands& commands);
 void addValidate(CLI::App& app, Commands& commands);
 void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);

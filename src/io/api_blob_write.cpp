@@ -56,7 +56,7 @@ Json micromapManifest(const OutputMicromaps& item, size_t number, BlobWriter& wr
     json["records"]["stride"] = micromap::recordBytes;
     json["records"]["count"] = item.set->records.size();
     json["usageCounts"] = usageToJson(micromap::usageCounts(item.set->records));
-    json["test"] = testToJson(item.test);
+    if (item.test) json["test"] = testToJson(*item.test);
     return json;
 }
 

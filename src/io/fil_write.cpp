@@ -81,7 +81,7 @@ uint64_t filIndexBytes(encoding::Encoding encoding, uint32_t mapCount, uint64_t 
     return (triangles * filIndexBits(encoding, mapCount) + 7) / 8;
 }
 
-Status writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd) {
+Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd) {
     assert(contents.set.mapCount <= INT32_MAX);
     assert(contents.indices.size() ==
            (contents.set.encoding == encoding::Encoding::bitmask ? 0 : contents.meta.triangleCount()));
@@ -105,7 +105,8 @@ Status writeFil(const std::filesystem::path& path, const FilContents& contents, 
         pieces.push_back(section.stored());
         end = filAligned(end) + section.stored().size();
     }
-    return writeFile(path, pieces);
+    if (const Status status = writeFile(path, pieces); !status) return status.error();
+    return end;
 }
 
 }  // namespace filigree::io

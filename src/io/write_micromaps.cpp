@@ -92,7 +92,7 @@ Json micromapToJson(const OutputMicromaps& micromaps, Rewrite& rewrite) {
         json["usageLevels"].push_back(usage.level);
         json["usageFormats"].push_back(static_cast<unsigned>(usage.format));
     }
-    json["extras"]["filigree"] = testToJson(micromaps.test);
+    if (micromaps.test) json["extras"]["filigree"] = testToJson(*micromaps.test);
     return json;
 }
 

@@ -1,10 +1,10 @@
 #include "filigree/jobs/bake.h"
 
-#include "filigree/io/api_blob.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_write.h"
 
 #include "jobs/json_text.h"
+#include "jobs/micromap_files.h"
 #include "jobs/stopwatch.h"
 
 namespace filigree::jobs {
@@ -30,20 +30,6 @@ io::MicromapOutput outputOf(const scene::Scene& scene, bool rotated) {
     return output;
 }
 
-Status write(const BakeOptions& options, const io::GltfDocument& document, const io::MicromapOutput& output) {
-    if (!options.rawFolder.empty()) {
-        auto written = io::writeApiBlobs(options.rawFolder, output, options.input.filename().string());
-        if (!written) return written;
-    }
-    if (options.output.empty()) return {};
-    auto written = io::writeWithMicromaps(document, output, options.output);
-    if (!written && !options.rawFolder.empty()) {
-        std::error_code ignored;
-        std::filesystem::remove_all(options.rawFolder, ignored);
-    }
-    return written;
-}
-
 }  // namespace
 
 Result<BakeSummary> bake(const BakeOptions& options, const Executor& executor, ProgressSink& progress) {
@@ -64,7 +50,8 @@ Result<BakeSummary> bake(const BakeOptions& options, const Executor& executor, P
 
     const Stopwatch writing;
     const auto output = outputOf(*scene, options.parameters.rotate);
-    if (auto written = write(options, *document, output); !written) return written.error();
+    if (auto written = writeMicromapFiles(*document, output, options.output, options.rawFolder); !written)
+        return written.error();
     summary->writeSeconds = writing.seconds();
     summary->totalSeconds = total.seconds();
     return summary;

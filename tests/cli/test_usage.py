@@ -5,7 +5,7 @@ import unittest
 from asset import leaf
 from program import CliTest
 
-VERBS = (["bake"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
+VERBS = (["bake"], ["compress"], ["expand"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
 
 
 class Usage(CliTest):
@@ -37,7 +37,7 @@ class Usage(CliTest):
                 self.expect_error(2, *bake, f"{option}={value}", says=option)
 
     def test_verbs_to_come(self):
-        self.expect_error(2, "compress", "in.glb", "-o", "out.fil", says="not in this version")
+        self.expect_error(2, "render", "in.glb", "-o", "out.png", says="not in this version")
 
 
 if __name__ == "__main__":

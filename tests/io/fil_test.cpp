@@ -20,10 +20,12 @@ using Bytes = std::vector<uint8_t>;
 
 Bytes written(const FilContents& contents, bool zstd) {
     const tests::TempFolder folder;
-    const Status status = writeFil(folder / "x.fil", contents, zstd);
-    EXPECT_TRUE(status.ok()) << status.error().message;
+    const auto size = writeFil(folder / "x.fil", contents, zstd);
+    EXPECT_TRUE(size.ok()) << size.error().message;
     auto bytes = readFile(folder / "x.fil");
-    return bytes ? *bytes : Bytes{};
+    if (!size || !bytes) return {};
+    EXPECT_EQ(bytes->size(), *size);
+    return *bytes;
 }
 
 std::string parseError(Bytes bytes, const FilReadOptions& options = {}) {

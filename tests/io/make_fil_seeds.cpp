@@ -15,10 +15,11 @@ int main(int argc, char** argv) {
     tests::SampleFil textures(2, false);
     textures.contents.set.encoding = encoding::Encoding::bitmask;
     textures.contents.indices = {};
-    for (const Status& written : {io::writeFil(folder / "plain.fil", many.contents, false),
-                                  io::writeFil(folder / "zstd.fil", many.contents, true),
-                                  io::writeFil(folder / "no_maps.fil", none.contents, false),
-                                  io::writeFil(folder / "textures.fil", textures.contents, false)}) {
+    for (const Result<uint64_t>& written :
+         {io::writeFil(folder / "plain.fil", many.contents, false),
+          io::writeFil(folder / "zstd.fil", many.contents, true),
+          io::writeFil(folder / "no_maps.fil", none.contents, false),
+          io::writeFil(folder / "textures.fil", textures.contents, false)}) {
         if (written) continue;
         std::fprintf(stderr, "%s\n", written.error().message.c_str());
         return 1;

@@ -66,8 +66,8 @@ struct FilContents {
 };
 
 // Writes `path`, whole or not at all; same contents, same bytes. With `zstd` each section is compressed that
-// becomes smaller.
-Status writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd);
+// becomes smaller. Gives the size of the file in bytes.
+Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd);
 
 struct FilReadOptions {
     // The most memory that compressed sections may take together once they are plain; above it

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ namespace filigree::io {
 struct OutputMicromaps {
     std::string name;                        // may be empty
     const micromap::FlatSet* set = nullptr;  // at least one record, regions of the data apart from each other
-    image::AlphaTest test;                   // recorded under extras.filigree
+    std::optional<image::AlphaTest> test;    // recorded under extras.filigree where it is known
 };
 
 // What one primitive of the file gets.

@@ -1,0 +1,34 @@
+// The maps of a scene in an encoding, whatever it asks for.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/jobs/bake.h"
+#include "filigree/jobs/encoded_size.h"
+#include "filigree/scene/scene.h"
+
+#include "jobs/scene_maps.h"
+
+#include <string>
+#include <vector>
+
+namespace filigree::jobs {
+
+// The encoding of that name, or ErrorKind::usage with all names.
+Result<encoding::Encoding> findEncoding(const std::string& name);
+
+// How to bake for `encoding`, where `states` are wanted in the end.
+BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters);
+
+// Encodes the maps in `format`.
+Result<encoding::EncodedSet> encodeMaps(const SceneMaps& maps, encoding::Encoding encoding,
+                                        micromap::Format format, const Executor& executor);
+
+// The indices of all primitives, one after another.
+std::vector<int32_t> allIndices(const SceneMaps& maps);
+
+EncodedSize sizeOf(const encoding::EncodedView& set, std::optional<unsigned> level);
+
+}  // namespace filigree::jobs
