@@ -1,14 +1,14 @@
 #include "filigree/encoding/indexed_tree.h"
 
 #include "encoding/indexed_tree_layout.h"
-#include "encoding/reader_of.h"
 #include "encoding/skip_table.h"
 #include "encoding/tree_layout.h"
 
+#include <algorithm>
 #include <bit>
-#include <cassert>
 
 namespace filigree::encoding {
+
 namespace {
 
 // The sum of the base-4 digits of a curve index.
@@ -87,17 +87,6 @@ micromap::State IndexedTreeReader::at(uint32_t map, uint32_t index) const {
     // The relation of sampleAt(), solved for the leaves before.
     const uint32_t digits = digitSum(index >> (2 * (found.level - leaf.depth)));
     return valueAt(values, (3 * (leaf.bit - leaf.depth) + digits) / 4, set_.format);
-}
-
-void IndexedTreeReader::lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
-                               std::span<micromap::State> states) const {
-    assert(indices.size() == maps.size() && states.size() == maps.size());
-    for (size_t k = 0; k < maps.size(); ++k) states[k] = at(maps[k], indices[k]);
-}
-
-void IndexedTreeReader::lookup(std::span<const uint32_t> maps, std::span<const float> u,
-                               std::span<const float> v, std::span<micromap::State> states) const {
-    lookupByCurve(*this, maps, u, v, states);
 }
 
 }  // namespace filigree::encoding

@@ -15,62 +15,67 @@
 HWY_BEFORE_NAMESPACE();
 namespace filigree::encoding::HWY_NAMESPACE {
 
-// Algorithm 3 in each lane, a bit of the structure a step; lanes that are at their leaf wait for the others.
+// Algorithm 3 in each lane. All lanes read one bit a step, until the last one is at its leaf.
 // payload.size() >= 8: the last bytes are read from further ahead.
 class TreeScan {
   public:
     explicit TreeScan(const EncodedView& set)
-        : set_(set), lastLoad_(hn::Set(d_, set.payload.size() - 8)), two_(set.format == wide_ ? 1 : 0) {}
+        : set_(set),
+          lastLoad_(hn::Set(d_, set.payload.size() - 8)),
+          fourState_(set.format == micromap::Format::fourState) {}
 
     LaneVector operator()(LaneVector map, LaneVector index) const {
-        const auto at = hn::ShiftLeft<3>(map);
-        const auto descriptor = gatherBytes(set_.descriptors.data(), at);
+        const auto descriptor = gatherBytes(set_.descriptors.data(), hn::ShiftLeft<3>(map));
         const auto structure = hn::ShiftLeft<3>(hn::And(descriptor, hn::Set(d_, 0xffffffff)));
         const auto inner = hn::And(hn::ShiftRight<32>(descriptor), hn::Set(d_, 0xffffff));
         const auto leaf = scan(structure, hn::ShiftRight<56>(descriptor), index);
         const auto bytes = hn::ShiftRight<3>(hn::Add(hn::ShiftLeft<2>(inner), hn::Set(d_, 8)));
         const auto values = hn::Add(structure, hn::ShiftLeft<3>(bytes));
-        const auto value = bitsFrom(hn::Add(values, two_ != 0 ? hn::ShiftLeft<1>(leaf) : leaf));
-        return hn::And(value, hn::Set(d_, two_ != 0 ? 3 : 1));
+        const auto value = bitsFrom(hn::Add(values, fourState_ ? hn::ShiftLeft<1>(leaf) : leaf));
+        return hn::And(value, hn::Set(d_, fourState_ ? 3 : 1));
     }
 
   private:
-    static constexpr auto wide_ = micromap::Format::fourState;
+    static constexpr unsigned window = 56;
 
-    // The payload from bit `bit` on; at least one byte is right.
+    // The payload from bit `bit` on: `window` bits, or all up to its end.
     [[nodiscard]] LaneVector bitsFrom(LaneVector bit) const {
         const auto load = hn::Min(hn::ShiftRight<3>(bit), lastLoad_);
         return hn::Shr(gatherBytes(set_.payload.data(), load), hn::Sub(bit, hn::ShiftLeft<3>(load)));
     }
 
-    // The numbers of the leaves that hold `index`: d of the paper; t counts from the payload's start.
+    // The leaves that hold `index`, by number; t counts from the payload's start.
     [[nodiscard]] LaneVector scan(LaneVector t, LaneVector level, LaneVector index) const {
-        const auto zero = hn::Zero(d_);
         const auto one = hn::Set(d_, 1);
-        auto leaf = zero;
-        auto child = zero;
-        auto height = hn::ShiftLeft<1>(level);
-        auto active = hn::Eq(zero, zero);
+        // The digits of the index from the top bits down.
+        const auto height = hn::Sub(hn::Set(d_, 62), hn::ShiftLeft<1>(level));
+        auto path = hn::ShiftLeft<2>(hn::Shl(index, height));
+        auto child = hn::Zero(d_);
+        auto d = hn::Zero(d_);
+        auto active = hn::Eq(d, d);
         while (!hn::AllFalse(d_, active)) {
-            const auto inner = hn::TestBit(bitsFrom(t), one);
-            const auto arrived = hn::Eq(child, zero);
-            const auto descend = hn::And(arrived, inner);
-            active = hn::AndNot(hn::AndNot(inner, arrived), active);
-            const auto skippedLeaf = hn::AndNot(inner, hn::Not(arrived));
-            leaf = hn::IfThenElse(hn::And(active, skippedLeaf), hn::Add(leaf, one), leaf);
-            height = hn::IfThenElse(descend, hn::Sub(height, hn::Set(d_, 2)), height);
-            const auto digit = hn::And(hn::Shr(index, hn::And(height, hn::Set(d_, 63))), hn::Set(d_, 3));
-            const auto skipped = hn::Add(child, hn::IfThenElse(inner, hn::Set(d_, 3), hn::Not(zero)));
-            child = hn::IfThenElse(active, hn::IfThenElse(descend, digit, skipped), child);
-            t = hn::IfThenElse(active, hn::Add(t, one), t);
+            auto bits = bitsFrom(t);
+            for (unsigned k = 0; k < window; ++k) {
+                const auto bit = hn::And(bits, one);
+                const auto inner = hn::Eq(bit, one);
+                const auto arrived = hn::Eq(child, hn::Zero(d_));
+                const auto descends = hn::And(inner, arrived);
+                active = hn::AndNot(hn::AndNot(inner, arrived), active);
+                d = hn::Add(d, hn::IfThenElseZero(hn::AndNot(inner, active), one));
+                const auto others = hn::Add(child, hn::Sub(hn::ShiftLeft<2>(bit), one));
+                child = hn::IfThenElse(descends, hn::ShiftRight<62>(path), others);
+                path = hn::IfThenElse(descends, hn::ShiftLeft<2>(path), path);
+                bits = hn::ShiftRight<1>(bits);
+            }
+            t = hn::IfThenElse(active, hn::Add(t, hn::Set(d_, window)), t);
         }
-        return leaf;
+        return d;
     }
 
     const EncodedView& set_;
     Lanes d_;
     LaneVector lastLoad_;
-    unsigned two_;
+    bool fourState_;
 };
 
 void lookupTree(const EncodedView& set, const uint32_t* maps, const uint32_t* indices,

@@ -72,7 +72,11 @@ TEST_P(RoundTrip, GivesBackEveryMap) {
 TEST_P(RoundTrip, FindsEveryState) {
     forAllSets([&](const SampleSet& set, Format format, const EncodedSet&, const MapReader& reader) {
         for (uint32_t map = 0; map < reader.mapCount(); ++map) {
+            // Some thousand leaves of the large ones.
+            const uint64_t step = 1 + set.maps[map].bits / 10'000;
+            uint64_t leaf = 0;
             forEachLeaf(set.maps[map], [&](uint64_t first, unsigned depth, State state) {
+                if (leaf++ % step != 0) return;
                 const uint64_t count = micromap::microTriangleCount(set.maps[map].level - depth);
                 const State expected = tests::storedState(GetParam(), format, state);
                 for (const uint64_t index : {first, first + count / 3, first + count - 1}) {
@@ -88,7 +92,7 @@ TEST_P(RoundTrip, FindsEveryState) {
 TEST_P(RoundTrip, FindsPointsAsTheCurveDoes) {
     forAllSets([&](const SampleSet&, Format, const EncodedSet&, const MapReader& reader) {
         if (reader.mapCount() == 0) return;
-        const Points points(reader, 2000, 1);
+        const Points points(reader, 1000, 1);
         for (size_t k = 0; k < points.maps.size(); ++k) {
             const uint32_t map = points.maps[k];
             const uint32_t index = micromap::barycentricsToIndex(points.u[k], points.v[k], reader.level(map));
@@ -116,7 +120,7 @@ TEST_P(RoundTrip, BatchesFindTheSameOnEveryTarget) {
         forAllSets([&](const SampleSet&, Format, const EncodedSet&, const MapReader& reader) {
             compareBatches(reader, Points(reader, 0, 0));
             if (reader.mapCount() == 0) return;
-            for (const size_t count : {1u, 2u, 7u, 17u, 300u, 1001u}) {
+            for (const size_t count : {1u, 2u, 7u, 17u, 300u}) {
                 compareBatches(reader, Points(reader, count, static_cast<unsigned>(count)));
             }
         });
