@@ -2,6 +2,7 @@
 
 #include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
+#include "filigree/encoding/gruen.h"
 #include "filigree/encoding/indexed_tree.h"
 #include "filigree/encoding/tree.h"
 
@@ -15,6 +16,9 @@ Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeV
     switch (encoding) {
         case Encoding::flat:
             return encodeFlat(maps, format, executor);
+        case Encoding::gruen:
+            return encodeGruen(maps, format,
+                               options.maybeOpaque ? GruenBit::maybeOpaque : GruenBit::opaqueSide, executor);
         case Encoding::tree:
             return encodeTree(maps, format, executor);
         case Encoding::indexedTree:

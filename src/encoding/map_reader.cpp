@@ -2,6 +2,7 @@
 
 #include "filigree/encoding/dag.h"
 #include "filigree/encoding/flat.h"
+#include "filigree/encoding/gruen.h"
 #include "filigree/encoding/indexed_tree.h"
 #include "filigree/encoding/tree.h"
 
@@ -15,6 +16,8 @@ Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
     switch (set.encoding) {
         case Encoding::flat:
             return openAs<FlatReader>(set);
+        case Encoding::gruen:
+            return openAs<GruenReader>(set);
         case Encoding::tree:
             return openAs<TreeReader>(set);
         case Encoding::indexedTree:

@@ -103,7 +103,10 @@ SampleSet deepMaps() {
 
 }  // namespace
 
-State storedState(Encoding, Format format, State state) {
+State storedState(Encoding encoding, Format format, State state) {
+    if (encoding == Encoding::gruen && format == Format::fourState && !micromap::isKnown(state)) {
+        return State::unknownOpaque;
+    }
     return format == Format::twoState ? micromap::knownOf(micromap::isOpaqueSide(state)) : state;
 }
 

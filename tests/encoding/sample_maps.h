@@ -15,6 +15,7 @@ namespace filigree::tests {
 // Encodings of MapReader's maps.
 inline constexpr std::array testedEncodings{
     encoding::Encoding::flat,
+    encoding::Encoding::gruen,
     encoding::Encoding::tree,
     encoding::Encoding::indexedTree,
     encoding::Encoding::dag,

@@ -13,6 +13,9 @@ namespace filigree::encoding {
 struct EncodeOptions {
     // Store the opaque share of interior nodes where the encoding can do without (sdag).
     bool aggregates = false;
+    // With Encoding::gruen and Format::twoState: a set bit means "not known to be transparent" and reads as
+    // unknown-opaque, which is conservative, instead of the opaque side.
+    bool maybeOpaque = false;
 };
 
 // Encodes `maps`, of levels 0..maxLevel in any mixture; map k of the set is maps[k]. With Format::twoState
