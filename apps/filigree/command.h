@@ -73,6 +73,7 @@ using Commands = std::vector<Command>;
 
 // Each adds one verb.
 void addBake(CLI::App& app, Commands& commands);
+void addCompare(CLI::App& app, Commands& commands);
 void addCompress(CLI::App& app, Commands& commands);
 void addExpand(CLI::App& app, Commands& commands);
 void addValidate(CLI::App& app, Commands& commands);

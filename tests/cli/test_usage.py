@@ -5,7 +5,7 @@ import unittest
 from asset import leaf
 from program import CliTest
 
-VERBS = (["bake"], ["compress"], ["expand"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
+VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
 
 
 class Usage(CliTest):

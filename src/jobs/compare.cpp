@@ -1,0 +1,188 @@
+#include "filigree/jobs/compare.h"
+
+#include "filigree/core/file.h"
+#include "filigree/io/fil.h"
+#include "filigree/io/gltf.h"
+#include "filigree/report/drawing.h"
+
+#include "jobs/encode_scene.h"
+#include "jobs/inspection.h"
+#include "jobs/peak_memory.h"
+#include "jobs/scene_bytes.h"
+#include "jobs/stopwatch.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+using encoding::Encoding;
+using micromap::Format;
+
+constexpr uint64_t triangleIndexBytes = 12;
+
+Status check(const CompareOptions& options) {
+    if (options.levels.empty()) return Error{ErrorKind::usage, "--levels: give one or more"};
+    for (const unsigned level : options.levels) {
+        if (level > micromap::maxLevel)
+            return Error{ErrorKind::usage,
+                         fmt::format("--levels {}: the highest is {}", level, micromap::maxLevel)};
+    }
+    return check(options.parameters);
+}
+
+Result<scene::Scene> readInput(const CompareOptions& options) {
+    const auto document = io::GltfDocument::load(options.input);
+    if (!document) return document.error();
+    io::ReadOptions reading;
+    reading.blendAlpha = options.parameters.includeBlend;
+    reading.micromaps = false;
+    return io::readScene(*document, reading);
+}
+
+// Flat states and masks in row order take the same bytes, of which every one is known beforehand.
+bool isCounted(Encoding encoding) {
+    return encoding == Encoding::flat || encoding == Encoding::gruen;
+}
+
+class Comparison {
+  public:
+    Comparison(const CompareOptions& options, const Executor& executor, ProgressSink& progress)
+        : options_(options), executor_(executor), progress_(progress) {}
+
+    // Adds the rows of one level: bakes it in each form that a row needs.
+    Status add(scene::Scene& scene, unsigned level) {
+        for (const unsigned states : {2u, 4u}) {
+            const auto wanted = encodingsOf(states);
+            if (wanted.empty()) continue;
+            BakeParameters parameters = options_.parameters;
+            parameters.level = level;
+            parameters.states = states;
+            const auto maps = bakeMaps(scene, parameters, executor_, progress_);
+            if (!maps) return maps.error().within(options_.input.string());
+            if (summary_.rows.empty()) describe(scene, *maps);
+            for (const auto& [encoding, format] : wanted) {
+                if (progress_.cancelled()) return Error{ErrorKind::cancelled, "the comparison was cancelled"};
+                if (const Status added = addRow(*maps, encoding, format, level); !added) return added;
+            }
+        }
+        return {};
+    }
+
+    CompareSummary take() && {
+        std::ranges::sort(summary_.rows, {}, [](const CompareRow& row) {
+            return std::tuple(row.states, row.level, encoding::encodingNamed(row.method));
+        });
+        for (const Encoding encoding : missing_)
+            summary_.notes.push_back(fmt::format("{}: not in this version, left out", nameOf(encoding)));
+        return std::move(summary_);
+    }
+
+  private:
+    struct Wanted {
+        Encoding encoding;
+        Format format;
+    };
+
+    [[nodiscard]] bool wants(unsigned states) const {
+        return std::ranges::find(options_.states, states) != options_.states.end();
+    }
+
+    // What is encoded from maps that were baked with `bakedStates`. Nearly always the states are those
+    // wanted in the end.
+    [[nodiscard]] std::vector<Wanted> encodingsOf(unsigned bakedStates) const {
+        std::vector<Wanted> wanted;
+        for (unsigned k = 0; k < encoding::encodingCount; ++k) {
+            const auto encoding = static_cast<Encoding>(k);
+            if (encoding == Encoding::bitmask) continue;
+            for (const unsigned states : {2u, 4u}) {
+                BakeParameters parameters;
+                parameters.states = states;
+                if (!wants(states) || parametersFor(encoding, parameters).states != bakedStates) continue;
+                wanted.push_back({encoding, states == 2 ? Format::twoState : Format::fourState});
+            }
+        }
+        return wanted;
+    }
+
+    void describe(const scene::Scene& scene, const SceneMaps& maps) {
+        summary_.triangles = maps.triangles;
+        summary_.maskedTriangles = maps.maskedTriangles;
+        summary_.textureBytes = textureBytes(scene, maps);
+        summary_.vertexBytes = vertexBytes(maps);
+        summary_.triangleIndexBytes = triangleIndexBytes * maps.maskedTriangles;
+        summary_.notes = maps.notes;
+    }
+
+    Status addRow(const SceneMaps& maps, Encoding encoding, Format format, unsigned level) {
+        CompareRow row;
+        row.method = nameOf(encoding);
+        row.level = level;
+        row.states = format == Format::twoState ? 2 : 4;
+        row.maps = maps.maps.size();
+        row.indexBytes = io::filIndexBytes(encoding, static_cast<uint32_t>(row.maps), maps.maskedTriangles);
+        if (isCounted(encoding)) {
+            row.payloadBytes = row.maps * micromap::flatBytes(level, format);
+            row.descriptorBytes = row.maps * micromap::recordBytes;
+        } else {
+            const Stopwatch watch;
+            const auto set = encodeMaps(maps, encoding, format, executor_);
+            if (!set && set.error().kind == ErrorKind::unsupported) return leaveOut(encoding);
+            if (!set) return set.error().within(options_.input.string());
+            row.encodeSeconds = watch.seconds();
+            row.payloadBytes = set->payload.size();
+            row.descriptorBytes = set->descriptors.size();
+        }
+        summary_.rows.push_back(std::move(row));
+        return {};
+    }
+
+    Status leaveOut(Encoding encoding) {
+        if (std::ranges::find(missing_, encoding) == missing_.end()) missing_.push_back(encoding);
+        return {};
+    }
+
+    const CompareOptions& options_;
+    const Executor& executor_;
+    ProgressSink& progress_;
+    CompareSummary summary_;
+    std::vector<Encoding> missing_;
+};
+
+Status writeReport(const CompareOptions& options, const CompareSummary& summary) {
+    if (options.outputFolder.empty()) return {};
+    if (const Status made = makeFolder(options.outputFolder); !made) return made;
+    const std::string csv = report::toCsv(rowTable(summary));
+    if (const Status written = writeFile(options.outputFolder / "compare.csv", csv); !written) return written;
+    for (const unsigned states : options.states) {
+        const std::string svg = report::toSvg(report::layOut(comparisonChart(summary, states)));
+        const auto path = options.outputFolder / fmt::format("compare_{}_states.svg", states);
+        if (const Status written = writeFile(path, svg); !written) return written;
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<CompareSummary> compare(const CompareOptions& options, const Executor& executor,
+                               ProgressSink& progress) {
+    if (const Status checked = check(options); !checked) return checked.error();
+    const Stopwatch watch;
+    auto scene = readInput(options);
+    if (!scene) return scene.error();
+    Comparison comparison(options, executor, progress);
+    for (const unsigned level : options.levels) {
+        if (const Status added = comparison.add(*scene, level); !added) return added.error();
+    }
+    CompareSummary summary = std::move(comparison).take();
+    summary.scene = options.input.filename().string();
+    summary.seconds = watch.seconds();
+    summary.peakBytes = peakMemory();
+    if (const Status written = writeReport(options, summary); !written) return written.error();
+    return summary;
+}
+
+}  // namespace filigree::jobs
