@@ -4,6 +4,7 @@
 #include "filigree/encoding/flat.h"
 #include "filigree/encoding/gruen.h"
 #include "filigree/encoding/indexed_tree.h"
+#include "filigree/encoding/sdag.h"
 #include "filigree/encoding/tree.h"
 
 #include <fmt/format.h>
@@ -25,6 +26,8 @@ Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeV
             return encodeIndexedTree(maps, format, executor);
         case Encoding::dag:
             return encodeDag(maps, format, executor);
+        case Encoding::sdag:
+            return encodeSdag(maps, format, options.aggregates, executor);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask encodes textures, not micromaps"};
         default:

@@ -4,6 +4,7 @@
 #include "filigree/encoding/flat.h"
 #include "filigree/encoding/gruen.h"
 #include "filigree/encoding/indexed_tree.h"
+#include "filigree/encoding/sdag.h"
 #include "filigree/encoding/tree.h"
 
 #include "encoding/reader_of.h"
@@ -24,6 +25,8 @@ Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set) {
             return openAs<IndexedTreeReader>(set);
         case Encoding::dag:
             return openAs<DagReader>(set);
+        case Encoding::sdag:
+            return openAs<SdagReader>(set);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask holds textures, not micromaps"};
         default:

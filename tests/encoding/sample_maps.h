@@ -5,28 +5,13 @@
 #include "filigree/encoding/map_reader.h"
 #include "filigree/micromap/quadtree.h"
 
-#include <array>
+#include "encoding/stored.h"
+
 #include <random>
 #include <string>
 #include <vector>
 
 namespace filigree::tests {
-
-// Encodings of MapReader's maps.
-inline constexpr std::array testedEncodings{
-    encoding::Encoding::flat,
-    encoding::Encoding::gruen,
-    encoding::Encoding::tree,
-    encoding::Encoding::indexedTree,
-    encoding::Encoding::dag,
-};
-
-// What an encoding gives back for a state that went in.
-micromap::State storedState(encoding::Encoding encoding, micromap::Format format, micromap::State state);
-
-// The canonical quadtree of what an encoding gives back for `map`.
-micromap::Quadtree storedMap(encoding::Encoding encoding, micromap::Format format,
-                             const micromap::QuadtreeView& map);
 
 struct SampleSet {
     std::string name;
