@@ -1,7 +1,6 @@
 #include "encoding/sample_maps.h"
 
 #include "filigree/micromap/curve.h"
-#include "filigree/micromap/quadtree_writer.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -17,26 +16,9 @@ using micromap::State;
 
 namespace {
 
-// stateOf(first, height) gives the state of a node, or -1 where it must be split.
-template <class StateOf>
-int build(BitWriter& stream, uint64_t first, unsigned height, StateOf&& stateOf) {
-    const int state = stateOf(first, height);
-    if (state >= 0) return micromap::appendLeaf(stream, height, state);
-    return micromap::appendInner(stream, height, [&](unsigned k) {
-        return build(stream, first + k * micromap::microTriangleCount(height - 1), height - 1, stateOf);
-    });
-}
-
-template <class StateOf>
-Quadtree build(unsigned level, StateOf&& stateOf) {
-    BitWriter stream;
-    build(stream, 0, level, stateOf);
-    return {std::move(stream), level};
-}
-
 SampleSet uniformMaps() {
     SampleSet set{"uniform", {}};
-    for (const unsigned level : {0u, 1u, 2u, 3u, 4u, 5u, 8u, 10u}) {
+    for (const unsigned level : {0u, 1u, 2u, 3u, 4u, 5u, 8u}) {
         for (unsigned s = 0; s < 4; ++s) {
             const auto state = static_cast<State>(s);
             set.maps.push(oddOne(level, 0, state, state).view());
@@ -54,9 +36,7 @@ SampleSet oddOnes() {
             set.maps.push(oddOne(level, index, State::opaque, State::unknownTransparent).view());
         }
     }
-    for (const unsigned level : {11u, 12u}) {
-        set.maps.push(oddOne(level, 3'333'333, State::opaque, State::unknownOpaque).view());
-    }
+    set.maps.push(oddOne(12, 3'333'333, State::opaque, State::unknownOpaque).view());
     return set;
 }
 
@@ -102,21 +82,6 @@ SampleSet deepMaps() {
 }
 
 }  // namespace
-
-State storedState(Encoding encoding, Format format, State state) {
-    if (encoding == Encoding::gruen && format == Format::fourState && !micromap::isKnown(state)) {
-        return State::unknownOpaque;
-    }
-    return format == Format::twoState ? micromap::knownOf(micromap::isOpaqueSide(state)) : state;
-}
-
-Quadtree storedMap(Encoding encoding, Format format, const micromap::QuadtreeView& map) {
-    BitReader reader(map.words, map.bits);
-    return build(map.level, [&](uint64_t, unsigned height) {
-        if (height > 0 && reader.takeBit()) return -1;
-        return static_cast<int>(storedState(encoding, format, static_cast<State>(reader.take(2))));
-    });
-}
 
 std::vector<micromap::QuadtreeView> SampleSet::views() const {
     std::vector<micromap::QuadtreeView> all;
