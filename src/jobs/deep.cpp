@@ -96,6 +96,14 @@ void addFindings(const Places& places, const std::vector<verify::Finding>& findi
     }
 }
 
+// By which rule the special indices of a set are judged: they come from the same bake as its records.
+micromap::Format specialFormat(const micromap::FlatSet& set) {
+    const bool twoState = std::ranges::all_of(set.records, [](const micromap::Record& record) {
+        return record.format == micromap::Format::twoState;
+    });
+    return twoState ? micromap::Format::twoState : micromap::Format::fourState;
+}
+
 Status examine(scene::Scene& scene, const DeepGroup& group, const Places& places, double sample,
                const Executor& executor, ProgressSink& progress, ValidateSummary& summary) {
     auto& set = scene.micromaps[static_cast<size_t>(group.micromaps)].set;
@@ -106,7 +114,8 @@ Status examine(scene::Scene& scene, const DeepGroup& group, const Places& places
         triangles.push_back(place.uvTriangle());
         set.indices.push_back(place.micromapIndex());
     }
-    const auto counts = verify::deepCheck(triangles, set, texture, test, {sample, 1}, executor, progress);
+    const verify::DeepSettings settings{sample, 1, specialFormat(set)};
+    const auto counts = verify::deepCheck(triangles, set, texture, test, settings, executor, progress);
     set.indices.clear();
     if (!counts) return counts.error().within(nameOf(scene, group.alpha.source));
     summary.deep->microTriangles += counts->microTriangles;
