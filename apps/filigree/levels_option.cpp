@@ -27,6 +27,7 @@ void mark(const std::string& range, const std::string& all, std::vector<bool>& w
 
 void addLevelsOption(CLI::App& verb, std::vector<unsigned>& levels, const std::string& usual) {
     const auto parse = [&levels](const std::string& text) {
+        if (text.ends_with(',')) throw CLI::ConversionError(text, "--levels");
         std::vector<bool> wanted(highest + 1);
         for (const std::string& range : CLI::detail::split(text, ',')) mark(range, text, wanted);
         levels.clear();

@@ -31,7 +31,7 @@ void addValidate(CLI::App& app, Commands& commands) {
                     "filigree validate forest-omm.glb --deep");
     const auto options = std::make_shared<jobs::ValidateOptions>();
     auto& verb = command.options();
-    verb.add_option("input", options->input, "A .glb or .gltf, or a folder that bake --raw wrote")
+    verb.add_option("input", options->input, "A .glb, .gltf or .fil, or a folder that bake --raw wrote")
         ->required()
         ->type_name("FILE");
     auto* deep = verb.add_flag("--deep", options->deep, "Examine every micro-triangle against its texture");

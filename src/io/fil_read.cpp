@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <fstream>
 
 #include <xxhash.h>
 
@@ -68,6 +69,14 @@ Result<FilAsset> identifyAsset(const std::filesystem::path& path) {
     if (!file) return file.error();
     const XXH128_hash_t hash = XXH3_128bits(file->bytes().data(), file->bytes().size());
     return FilAsset{path.filename().string(), file->bytes().size(), {hash.low64, hash.high64}};
+}
+
+bool isFil(const std::filesystem::path& path) {
+    std::array<char, filMagic.size()> begin{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), begin.size());
+    return file && std::equal(begin.begin(), begin.end(), filMagic.begin(),
+                              [](char a, uint8_t b) { return static_cast<uint8_t>(a) == b; });
 }
 
 std::string contentOf(const FilAsset& asset) {

@@ -17,14 +17,16 @@ Result<encoding::Encoding> findEncoding(const std::string& name) {
 }
 
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters) {
-    // The 1-bit masks say what may be opaque; without unknown states they could not.
+    // Its 1-bit masks say what may be opaque: a 2-state bake no longer knows.
     if (encoding == encoding::Encoding::gruen) parameters.states = 4;
     return parameters;
 }
 
 Result<encoding::EncodedSet> encodeMaps(const SceneMaps& maps, encoding::Encoding encoding,
                                         micromap::Format format, const Executor& executor) {
-    auto set = encoding::encode(encoding, maps.views(), format, {}, executor);
+    encoding::EncodeOptions options;
+    options.maybeOpaque = maps.format == micromap::Format::fourState && format == micromap::Format::twoState;
+    auto set = encoding::encode(encoding, maps.views(), format, options, executor);
     if (!set) return set.error().within(std::string(encoding::nameOf(encoding)));
     return set;
 }

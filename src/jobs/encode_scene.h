@@ -19,10 +19,10 @@ namespace filigree::jobs {
 // The encoding of that name, or ErrorKind::usage with all names.
 Result<encoding::Encoding> findEncoding(const std::string& name);
 
-// How to bake for `encoding`, where `states` are wanted in the end.
+// How to bake for `encoding`, whose sets shall have `parameters.states` in the end.
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters);
 
-// Encodes the maps in `format`.
+// Encodes the maps in `format`. 2-state gruen masks of 4-state maps are conservative (docs/spec/gruen.md).
 Result<encoding::EncodedSet> encodeMaps(const SceneMaps& maps, encoding::Encoding encoding,
                                         micromap::Format format, const Executor& executor);
 

@@ -1,5 +1,6 @@
 #include "filigree/jobs/expand.h"
 
+#include "filigree/encoding/gruen.h"
 #include "filigree/encoding/map_reader.h"
 #include "filigree/io/fil.h"
 #include "filigree/io/gltf.h"
@@ -52,6 +53,14 @@ Status checkPrimitives(const io::GltfDocument& document, const io::FilMeta& meta
                                  document.name(), p.mesh, p.primitive, triangles, p.triangles)};
     }
     return {};
+}
+
+// The format to make flat: the set's own, but 4-state for masks of what may be opaque.
+Result<micromap::Format> flatFormat(const encoding::EncodedView& set) {
+    if (set.encoding != encoding::Encoding::gruen) return set.format;
+    const auto reader = encoding::GruenReader::open(set);
+    if (!reader) return reader.error();
+    return reader->isMaybeOpaque() ? micromap::Format::fourState : set.format;
 }
 
 // The primitives of one group with indices into the group's own maps, in the order of first use.
@@ -107,13 +116,15 @@ std::vector<std::vector<int32_t>> indicesOf(const io::FilFile& file) {
 Result<Expanded> expandAll(const io::FilFile& file, const Executor& executor, ProgressSink& progress) {
     const auto reader = encoding::openReader(file.set());
     if (!reader) return reader.error();
+    const auto format = flatFormat(file.set());
+    if (!format) return format.error();
     const io::FilMeta& meta = file.meta();
     Expanded expanded;
     expanded.indices = indicesOf(file);
     progress.begin("expand", meta.groups.size(), "textures");
     for (size_t g = 0; g < meta.groups.size(); ++g) {
         if (progress.cancelled()) return Error{ErrorKind::cancelled, "the expansion was cancelled"};
-        GroupMaps maps(**reader, file.set().format);
+        GroupMaps maps(**reader, *format);
         for (size_t p = 0; p < meta.primitives.size(); ++p) {
             if (meta.primitives[p].group == g) maps.add(expanded.indices[p]);
         }
@@ -142,6 +153,13 @@ io::MicromapOutput outputOf(const io::FilMeta& meta, const Expanded& expanded) {
     return output;
 }
 
+void noteLoss(const encoding::EncodedView& set, ExpandSummary& summary) {
+    if (set.encoding != encoding::Encoding::gruen) return;
+    summary.notes.emplace_back(set.format == micromap::Format::twoState
+                                   ? "gruen: masks of what may be opaque become unknown-opaque states"
+                                   : "gruen: the side of unknown states is not kept, all are unknown-opaque");
+}
+
 }  // namespace
 
 Result<ExpandSummary> expand(const ExpandOptions& options, const Executor& executor, ProgressSink& progress) {
@@ -165,10 +183,7 @@ Result<ExpandSummary> expand(const ExpandOptions& options, const Executor& execu
     ExpandSummary summary;
     summary.size = sizeOf(set, file->meta().level);
     for (const auto& flat : expanded->sets) summary.dataBytes += flat.data.size();
-    if (set.encoding == encoding::Encoding::gruen && set.format == micromap::Format::fourState) {
-        summary.notes.emplace_back(
-            "gruen does not keep the side of unknown states: all are unknown-opaque here");
-    }
+    noteLoss(set, summary);
     summary.totalSeconds = total.seconds();
     summary.peakBytes = peakMemory();
     return summary;

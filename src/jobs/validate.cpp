@@ -1,6 +1,8 @@
 #include "filigree/jobs/validate.h"
 
+#include "filigree/encoding/map_reader.h"
 #include "filigree/io/api_blob.h"
+#include "filigree/io/fil.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_rules.h"
 
@@ -38,6 +40,43 @@ Status validateBlobs(const ValidateOptions& options, ValidateSummary& summary) {
     return {};
 }
 
+// The breach of what a reader refused; what could not be read at all stays an error.
+Status refused(const Error& error, const std::string& path, const std::string& rule,
+               ValidateSummary& summary) {
+    if (error.kind != ErrorKind::format) return error;
+    summary.breaches.push_back({path, rule, error.message});
+    return {};
+}
+
+Status validateFil(const ValidateOptions& options, ValidateSummary& summary) {
+    const auto file = io::FilFile::read(options.input);
+    if (!file) return refused(file.error(), "container", "fil-container", summary);
+    if (options.deep)
+        summary.notes.push_back("a .fil names no texture; expand it and examine that in depth instead");
+    const encoding::EncodedView& set = file->set();
+    const std::string name(encoding::nameOf(set.encoding));
+    if (set.encoding == encoding::Encoding::bitmask) return {};
+    const auto reader = encoding::openReader(set);
+    if (!reader) return refused(reader.error(), name, "fil-set", summary);
+    const auto level = file->meta().level;
+    for (uint32_t map = 0; level && map < set.mapCount; ++map) {
+        if ((*reader)->level(map) == *level) continue;
+        summary.breaches.push_back({name, "fil-level",
+                                    fmt::format("map {} has level {}, the meta section says {}", map,
+                                                (*reader)->level(map), *level)});
+        break;
+    }
+    return {};
+}
+
+Status validateFile(const ValidateOptions& options, const Executor& executor, ProgressSink& progress,
+                    ValidateSummary& summary) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(options.input, ignored)) return validateBlobs(options, summary);
+    if (io::isFil(options.input)) return validateFil(options, summary);
+    return validateGltf(options, executor, progress, summary);
+}
+
 }  // namespace
 
 Result<ValidateSummary> validate(const ValidateOptions& options, const Executor& executor,
@@ -47,11 +86,8 @@ Result<ValidateSummary> validate(const ValidateOptions& options, const Executor&
                      fmt::format("--sample {}: give a share above 0 and at most 1", options.sample)};
     }
     ValidateSummary summary;
-    std::error_code ignored;
-    const auto validated = std::filesystem::is_directory(options.input, ignored)
-                               ? validateBlobs(options, summary)
-                               : validateGltf(options, executor, progress, summary);
-    if (!validated) return validated.error();
+    if (const Status validated = validateFile(options, executor, progress, summary); !validated)
+        return validated.error();
     return summary;
 }
 

@@ -69,6 +69,9 @@ struct FilContents {
 // becomes smaller. Gives the size of the file in bytes.
 Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd);
 
+// True for a file that begins as a .fil does.
+bool isFil(const std::filesystem::path& path);
+
 struct FilReadOptions {
     // The most memory that compressed sections may take together once they are plain; above it
     // ErrorKind::limit.

@@ -15,7 +15,7 @@
 namespace filigree::jobs {
 
 struct ValidateOptions {
-    std::filesystem::path input;  // .glb, .gltf, or a folder with the blobs that bake --raw wrote
+    std::filesystem::path input;  // .glb, .gltf, .fil, or a folder that bake --raw wrote
     bool deep = false;            // also examine every micro-triangle against its texture
     // With deep: the share of micro-triangles examined, (0, 1].
     double sample = 1.0;
