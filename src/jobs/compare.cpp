@@ -64,9 +64,9 @@ class Comparison {
             const auto maps = bakeMaps(scene, parameters, executor_, progress_);
             if (!maps) return maps.error().within(options_.input.string());
             if (summary_.rows.empty()) describe(scene, *maps);
-            for (const auto& [encoding, format] : wanted) {
+            for (const Wanted& one : wanted) {
                 if (progress_.cancelled()) return Error{ErrorKind::cancelled, "the comparison was cancelled"};
-                if (const Status added = addRow(*maps, encoding, format, level); !added) return added;
+                if (const Status added = addRow(scene, *maps, one, level); !added) return added;
             }
         }
         return {};
@@ -97,7 +97,6 @@ class Comparison {
         std::vector<Wanted> wanted;
         for (unsigned k = 0; k < encoding::encodingCount; ++k) {
             const auto encoding = static_cast<Encoding>(k);
-            if (encoding == Encoding::bitmask) continue;
             for (const unsigned states : {2u, 4u}) {
                 BakeParameters parameters;
                 parameters.states = states;
@@ -115,29 +114,53 @@ class Comparison {
         summary_.vertexBytes = vertexBytes(maps);
         summary_.triangleIndexBytes = triangleIndexBytes * maps.maskedTriangles;
         summary_.notes = maps.notes;
+        if (const uint64_t count = vertexAlphaTriangles(maps); count > 0) {
+            summary_.notes.push_back(
+                fmt::format("triangles with a vertex alpha, which no bitmask knows: {}", count));
+        }
     }
 
-    Status addRow(const SceneMaps& maps, Encoding encoding, Format format, unsigned level) {
+    Status addRow(const scene::Scene& scene, const SceneMaps& maps, const Wanted& wanted, unsigned level) {
+        const bool textures = wanted.encoding == Encoding::bitmask;
         CompareRow row;
-        row.method = nameOf(encoding);
+        row.method = nameOf(wanted.encoding);
         row.level = level;
-        row.states = format == Format::twoState ? 2 : 4;
-        row.maps = maps.maps.size();
-        row.indexBytes = io::filIndexBytes(encoding, static_cast<uint32_t>(row.maps), maps.maskedTriangles);
-        if (isCounted(encoding)) {
-            row.payloadBytes = row.maps * micromap::flatBytes(level, format);
+        row.states = wanted.format == Format::twoState ? 2 : 4;
+        row.maps = textures ? maps.groups.size() : maps.maps.size();
+        row.indexBytes =
+            io::filIndexBytes(wanted.encoding, static_cast<uint32_t>(row.maps), maps.maskedTriangles);
+        if (isCounted(wanted.encoding)) {
+            row.payloadBytes = row.maps * micromap::flatBytes(level, wanted.format);
             row.descriptorBytes = row.maps * micromap::recordBytes;
+        } else if (const CompareRow* const same = textures ? sameTextures(row.states) : nullptr) {
+            row.payloadBytes = same->payloadBytes;
+            row.descriptorBytes = same->descriptorBytes;
         } else {
-            const Stopwatch watch;
-            const auto set = encodeMaps(maps, encoding, format, executor_);
-            if (!set && set.error().kind == ErrorKind::unsupported) return leaveOut(encoding);
-            if (!set) return set.error().within(options_.input.string());
-            row.encodeSeconds = watch.seconds();
-            row.payloadBytes = set->payload.size();
-            row.descriptorBytes = set->descriptors.size();
+            const Status measured = measure(scene, maps, wanted, row);
+            if (!measured && measured.error().kind == ErrorKind::unsupported)
+                return leaveOut(wanted.encoding);
+            if (!measured) return measured.error().within(options_.input.string());
         }
         summary_.rows.push_back(std::move(row));
         return {};
+    }
+
+    Status measure(const scene::Scene& scene, const SceneMaps& maps, const Wanted& wanted, CompareRow& row) {
+        const Stopwatch watch;
+        const auto set = encodeMaps(scene, maps, wanted.encoding, wanted.format, executor_);
+        if (!set) return set.error();
+        row.encodeSeconds = watch.seconds();
+        row.payloadBytes = set->payload.size();
+        row.descriptorBytes = set->descriptors.size();
+        return {};
+    }
+
+    // The row of the textures at an earlier level; they are the same at each.
+    [[nodiscard]] const CompareRow* sameTextures(unsigned states) const {
+        for (const CompareRow& row : summary_.rows) {
+            if (row.method == nameOf(Encoding::bitmask) && row.states == states) return &row;
+        }
+        return nullptr;
     }
 
     Status leaveOut(Encoding encoding) {

@@ -8,16 +8,28 @@
 #include "jobs/peak_memory.h"
 #include "jobs/stopwatch.h"
 
+#include <fmt/format.h>
+
 namespace filigree::jobs {
 namespace {
 
-Result<scene::Scene> readInput(const CompressOptions& options) {
+Result<scene::Scene> readInput(const CompressOptions& options, encoding::Encoding encoding) {
     const auto document = io::GltfDocument::load(options.input);
     if (!document) return document.error();
     io::ReadOptions reading;
     reading.blendAlpha = options.parameters.includeBlend;
-    reading.micromaps = !options.bakeAnew;
+    reading.micromaps = !options.bakeAnew && encoding != encoding::Encoding::bitmask;
     return io::readScene(*document, reading);
+}
+
+// What is left of the maps where textures are encoded in their place.
+void asTextures(SceneMaps& maps) {
+    maps.level.reset();
+    for (MapPrimitive& primitive : maps.primitives) primitive.indices.clear();
+    if (const uint64_t count = vertexAlphaTriangles(maps); count > 0)
+        maps.notes.push_back(fmt::format(
+            "triangles with a vertex alpha, which no bitmask knows and which must not be looked up: {}",
+            count));
 }
 
 Result<SceneMaps> mapsOf(scene::Scene& scene, encoding::Encoding encoding, const CompressOptions& options,
@@ -25,6 +37,7 @@ Result<SceneMaps> mapsOf(scene::Scene& scene, encoding::Encoding encoding, const
     if (!scene.micromaps.empty()) return carriedMaps(scene);
     auto maps = bakeMaps(scene, parametersFor(encoding, options.parameters), executor, progress);
     if (!maps) return maps.error().within(options.input.string());
+    if (encoding == encoding::Encoding::bitmask) asTextures(*maps);
     return maps;
 }
 
@@ -41,7 +54,8 @@ io::FilMeta metaOf(const SceneMaps& maps, io::FilAsset asset) {
     for (const MapGroup& group : maps.groups) meta.groups.push_back({group.name, group.test});
     for (const MapPrimitive& p : maps.primitives) {
         meta.primitives.push_back({p.primitive->meshIndex, p.primitive->primitiveIndex,
-                                   static_cast<uint32_t>(p.indices.size()), static_cast<uint32_t>(p.group)});
+                                   static_cast<uint32_t>(p.primitive->triangleCount()),
+                                   static_cast<uint32_t>(p.group)});
     }
     return meta;
 }
@@ -72,7 +86,7 @@ Result<CompressSummary> compress(const CompressOptions& options, const Executor&
     CompressSummary summary;
     auto asset = io::identifyAsset(options.input);
     if (!asset) return asset.error();
-    auto scene = readInput(options);
+    auto scene = readInput(options, *encoding);
     if (!scene) return scene.error();
     summary.readSeconds = total.seconds();
 
@@ -86,7 +100,7 @@ Result<CompressSummary> compress(const CompressOptions& options, const Executor&
     summary.bakeSeconds = baking.seconds();
 
     const Stopwatch encodingWatch;
-    const auto set = encodeMaps(*maps, *encoding, formatFor(*maps, options, summary.baked), executor);
+    const auto set = encodeMaps(*scene, *maps, *encoding, formatFor(*maps, options, summary.baked), executor);
     if (!set) return set.error().within(options.input.string());
     summary.encodeSeconds = encodingWatch.seconds();
 

@@ -1,10 +1,29 @@
 #include "jobs/encode_scene.h"
 
+#include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/encode.h"
+
+#include <algorithm>
+#include <cassert>
 
 #include <fmt/format.h>
 
 namespace filigree::jobs {
+namespace {
+
+Result<encoding::EncodedSet> encodeTextures(const scene::Scene& scene, const SceneMaps& maps,
+                                            micromap::Format format, const Executor& executor) {
+    std::vector<image::AlphaTexture> textures;
+    for (const MapGroup& group : maps.groups) {
+        assert(group.source && group.test);
+        textures.push_back(textureOf(scene, *group.source));
+    }
+    std::vector<encoding::BitmaskSource> sources;
+    for (size_t g = 0; g < textures.size(); ++g) sources.push_back({&textures[g], *maps.groups[g].test});
+    return encoding::encodeBitmasks(sources, format, executor);
+}
+
+}  // namespace
 
 Result<encoding::Encoding> findEncoding(const std::string& name) {
     if (const auto found = encoding::encodingNamed(name)) return *found;
@@ -19,16 +38,32 @@ Result<encoding::Encoding> findEncoding(const std::string& name) {
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters) {
     // Its 1-bit masks say what may be opaque: a 2-state bake no longer knows.
     if (encoding == encoding::Encoding::gruen) parameters.states = 4;
+    // It needs the groups alone, and they are cheapest at level 0.
+    if (encoding == encoding::Encoding::bitmask) parameters.level = 0;
     return parameters;
 }
 
-Result<encoding::EncodedSet> encodeMaps(const SceneMaps& maps, encoding::Encoding encoding,
-                                        micromap::Format format, const Executor& executor) {
+Result<encoding::EncodedSet> encodeMaps(const scene::Scene& scene, const SceneMaps& maps,
+                                        encoding::Encoding encoding, micromap::Format format,
+                                        const Executor& executor) {
     encoding::EncodeOptions options;
     options.maybeOpaque = maps.format == micromap::Format::fourState && format == micromap::Format::twoState;
-    auto set = encoding::encode(encoding, maps.views(), format, options, executor);
+    auto set = encoding == encoding::Encoding::bitmask
+                   ? encodeTextures(scene, maps, format, executor)
+                   : encoding::encode(encoding, maps.views(), format, options, executor);
     if (!set) return set.error().within(std::string(encoding::nameOf(encoding)));
     return set;
+}
+
+uint64_t vertexAlphaTriangles(const SceneMaps& maps) {
+    uint64_t count = 0;
+    for (const MapPrimitive& p : maps.primitives) {
+        for (size_t t = 0; t < p.primitive->triangleCount(); ++t) {
+            const auto alpha = p.primitive->uvTriangle(t).alpha;
+            count += std::ranges::any_of(alpha, [](float value) { return value != 1; }) ? 1 : 0;
+        }
+    }
+    return count;
 }
 
 std::vector<int32_t> allIndices(const SceneMaps& maps) {

@@ -22,9 +22,15 @@ Result<encoding::Encoding> findEncoding(const std::string& name);
 // How to bake for `encoding`, whose sets shall have `parameters.states` in the end.
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters);
 
-// Encodes the maps in `format`. 2-state gruen masks of 4-state maps are conservative (docs/spec/gruen.md).
-Result<encoding::EncodedSet> encodeMaps(const SceneMaps& maps, encoding::Encoding encoding,
-                                        micromap::Format format, const Executor& executor);
+// Encodes maps that were baked from `scene` in `format`. 2-state gruen masks of 4-state maps are conservative
+// (docs/spec/gruen.md). Encoding::bitmask takes the alpha textures of the groups, one for each, instead of
+// the maps.
+Result<encoding::EncodedSet> encodeMaps(const scene::Scene& scene, const SceneMaps& maps,
+                                        encoding::Encoding encoding, micromap::Format format,
+                                        const Executor& executor);
+
+// Triangles whose vertices have an alpha of their own, which no texture can hold.
+uint64_t vertexAlphaTriangles(const SceneMaps& maps);
 
 // The indices of all primitives, one after another.
 std::vector<int32_t> allIndices(const SceneMaps& maps);

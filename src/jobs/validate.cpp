@@ -1,5 +1,6 @@
 #include "filigree/jobs/validate.h"
 
+#include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/map_reader.h"
 #include "filigree/io/api_blob.h"
 #include "filigree/io/fil.h"
@@ -55,7 +56,10 @@ Status validateFil(const ValidateOptions& options, ValidateSummary& summary) {
         summary.notes.push_back("a .fil names no texture; expand it and examine that in depth instead");
     const encoding::EncodedView& set = file->set();
     const std::string name(encoding::nameOf(set.encoding));
-    if (set.encoding == encoding::Encoding::bitmask) return {};
+    if (set.encoding == encoding::Encoding::bitmask) {
+        const auto reader = encoding::BitmaskReader::open(set);
+        return reader ? Status() : refused(reader.error(), name, "fil-set", summary);
+    }
     const auto reader = encoding::openReader(set);
     if (!reader) return refused(reader.error(), name, "fil-set", summary);
     const auto level = file->meta().level;

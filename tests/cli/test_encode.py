@@ -96,6 +96,15 @@ class Encode(CliTest):
             self.expect_done("validate", "out.glb", "--deep", "--json", "deep.json")
             self.assertEqual(self.result("deep.json")["deep"]["wrong"], 0)
 
+    def test_bitmasks_are_textures_and_do_not_expand(self):
+        for states, bits in (("2", 1), ("4", 2)):
+            self.compressed("--encoding", "bitmask", "--states", states, "--json", "c.json")
+            result = self.result("c.json")
+            self.assertEqual((result["maps"], result["index_bytes"], result["level"]), (2, 0, "auto"))
+            self.assertEqual(result["payload_bytes"], 2 * 64 * 64 * bits // 8)
+            self.expect_done("validate", "x.fil")
+            self.expect_error(1, "expand", "x.fil", "--asset", "in.glb", "-o", "out.glb", says="bitmask")
+
     def test_another_asset_is_an_error_that_names_both(self):
         self.compressed("--encoding", "tree")
         other = forest()
@@ -157,7 +166,7 @@ class Compare(CliTest):
         self.agrees_with_compress(rows)
 
     def agrees_with_compress(self, rows):
-        for method in LOSSLESS + ("gruen",):
+        for method in LOSSLESS + ("gruen", "bitmask"):
             for states in (2, 4):
                 self.expect_done("compress", "in.glb", "-o", "x.fil", "--encoding", method, "--level", "4", "--states",
                                  states, "--json", "x.json")

@@ -1,5 +1,6 @@
 // Any bytes as a .fil file, once as they are and once with their hashes made right, so that what lies behind
 // the hashes is reached. None may crash, hang or take much memory.
+#include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/map_reader.h"
 #include "filigree/io/fil.h"
 
@@ -18,10 +19,12 @@ void readAll(std::vector<uint8_t> bytes) {
     options.maxBytes = uint64_t{64} << 20;
     const auto file = io::FilFile::parse(std::move(bytes), "input", options);
     if (!file) return;
-    if (file->set().encoding != encoding::Encoding::bitmask) {
-        std::vector<int32_t> indices(file->meta().triangleCount());
-        file->readIndices(0, indices);
+    if (file->set().encoding == encoding::Encoding::bitmask) {
+        static_cast<void>(encoding::BitmaskReader::open(file->set()).ok());
+        return;
     }
+    std::vector<int32_t> indices(file->meta().triangleCount());
+    file->readIndices(0, indices);
     static_cast<void>(encoding::openReader(file->set()).ok());
 }
 
