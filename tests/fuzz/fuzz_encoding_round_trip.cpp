@@ -47,7 +47,7 @@ micromap::Quadtree mapFrom(Source& source, const micromap::QuadtreeList& before)
     if (before.size() > 0 && source.take(2) == 3) {
         return micromap::permuted(before[source.take(3) % before.size()], orders[source.take(3) % 6]);
     }
-    const unsigned level = source.take(3);
+    const unsigned level = source.take(3) % 7;
     return tests::build(level, [&](uint64_t, unsigned height) {
         if (height > 0 && source.take(1) != 0) return -1;
         return static_cast<int>(source.take(2));
