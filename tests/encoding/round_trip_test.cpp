@@ -73,7 +73,7 @@ TEST_P(RoundTrip, FindsEveryState) {
     forAllSets([&](const SampleSet& set, Format format, const EncodedSet&, const MapReader& reader) {
         for (uint32_t map = 0; map < reader.mapCount(); ++map) {
             // Some thousand leaves of the large ones.
-            const uint64_t step = 1 + set.maps[map].bits / 10'000;
+            const uint64_t step = 1 + set.maps[map].bits / 3'000;
             uint64_t leaf = 0;
             forEachLeaf(set.maps[map], [&](uint64_t first, unsigned depth, State state) {
                 if (leaf++ % step != 0) return;
