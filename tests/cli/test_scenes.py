@@ -23,6 +23,27 @@ class Scenes(CliTest):
                 self.assertEqual((checked["valid"], checked["deep"]["wrong"]), (True, 0))
                 self.assertLessEqual(checked["deep"]["over_cautious"], 1e-5 * checked["deep"]["micro_triangles"])
 
+    def test_every_scene_compresses_and_expands(self):
+        for scene in sorted(SCENES.glob("*.glb")):
+            for states in (2, 4):
+                with self.subTest(scene=scene.name, states=states):
+                    options = ["--level", "6", "--states", states]
+                    self.expect_done("bake", scene, "-o", "baked.glb", *options)
+                    self.expect_done("compress", scene, "-o", "x.fil", *options)
+                    self.expect_done("validate", "x.fil")
+                    self.expect_done("expand", "x.fil", "--asset", scene, "-o", "out.glb")
+                    self.assertEqual((self.folder / "out.glb").read_bytes(), (self.folder / "baked.glb").read_bytes())
+
+    @unittest.skipUnless(os.environ.get("FILIGREE_FULL"), "long: ./check --full")
+    def test_level_10_takes_little_memory(self):
+        for scene in sorted(SCENES.glob("*.glb")):
+            for states in (2, 4):
+                with self.subTest(scene=scene.name, states=states):
+                    self.expect_done("compress", scene, "-o", "x.fil", "--level", "10", "--states", states, "--json",
+                                     "x.json")
+                    self.assertLess(json.loads((self.folder / "x.json").read_text())["peak_bytes"], 1 << 30)
+                    self.expect_done("validate", "x.fil")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,7 @@
 #include "filigree/core/file.h"
 
+#include "filigree/core/mapped_file.h"
+
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -118,6 +120,35 @@ TEST_F(FileTest, AMissingFileIsNamed) {
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().kind, ErrorKind::file);
     EXPECT_THAT(read.error().message, HasSubstr("none"));
+}
+
+TEST_F(FileTest, PiecesStandOneAfterAnother) {
+    const std::vector<uint8_t> a{1, 2};
+    const std::vector<uint8_t> b{3};
+    const std::vector<std::span<const uint8_t>> pieces{a, {}, b};
+    ASSERT_TRUE(writeFile(folder_ / "file", pieces).ok());
+    EXPECT_EQ(*readFile(folder_ / "file"), (std::vector<uint8_t>{1, 2, 3}));
+}
+
+TEST_F(FileTest, AMappedFileKeepsItsPlaceWhenMoved) {
+    ASSERT_TRUE(writeFile(folder_ / "file", "0123456789").ok());
+    auto mapped = MappedFile::open(folder_ / "file");
+    ASSERT_TRUE(mapped.ok()) << mapped.error().message;
+    const uint8_t* const at = mapped->bytes().data();
+    const MappedFile moved = std::move(*mapped);
+    EXPECT_EQ(moved.bytes().data(), at);
+    EXPECT_EQ(std::string(moved.bytes().begin(), moved.bytes().end()), "0123456789");
+    EXPECT_TRUE(mapped->bytes().empty());
+}
+
+TEST_F(FileTest, OnlyRegularFilesAreMapped) {
+    ASSERT_TRUE(writeFile(folder_ / "empty", "").ok());
+    const auto empty = MappedFile::open(folder_ / "empty");
+    ASSERT_TRUE(empty.ok());
+    EXPECT_TRUE(empty->bytes().empty());
+    EXPECT_FALSE(MappedFile::open(folder_).ok());
+    EXPECT_FALSE(MappedFile::open("/dev/zero").ok());
+    EXPECT_FALSE(MappedFile::open(folder_ / "none").ok());
 }
 
 }  // namespace
