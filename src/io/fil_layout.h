@@ -20,6 +20,13 @@ inline constexpr uint64_t filAlignment = 64;
 inline constexpr uint8_t filNoLevel = 255;
 inline constexpr uint32_t filSpecials = 4;
 
+// The most bytes a section may have.
+inline constexpr uint64_t filMostMetaBytes = uint64_t{1} << 30;
+inline constexpr uint64_t filMostDescriptorBytes = 64;  // for each map, and once more
+inline constexpr uint64_t filMostPayloadGrowth = 4;     // times the flat 4-state map, for each map,
+inline constexpr uint64_t filMostMapBytes = 256;        // and this,
+inline constexpr uint64_t filMostPayloadBase = uint64_t{1} << 20;  // and this once
+
 enum class FilKind : uint32_t { meta = 1, indices = 2, descriptors = 3, payload = 4, pairs = 5 };
 inline constexpr uint32_t filOptionalKind = 0x80000000;  // kinds from here on may be passed over
 inline constexpr uint32_t filZstd = 1;                   // the one flag

@@ -23,14 +23,15 @@ class Sections {
 
     [[nodiscard]] bool has(FilKind kind) const { return find(kind) != nullptr; }
 
-    // `bytes` is how many it must have, if that is known.
-    Result<std::span<const uint8_t>> take(FilKind kind, std::optional<uint64_t> bytes = std::nullopt) {
+    // The section must have between `least` and `most` bytes when plain.
+    Result<std::span<const uint8_t>> take(FilKind kind, uint64_t least, uint64_t most) {
         const std::string name = "section " + filKindName(static_cast<uint32_t>(kind));
         const FilSection* const section = find(kind);
         if (section == nullptr) return Error{ErrorKind::format, name + ": is missing"};
-        if (bytes && section->plainBytes != *bytes) {
+        if (section->plainBytes < least || section->plainBytes > most) {
             return Error{ErrorKind::format,
-                         fmt::format("{}: {} bytes, expected {}", name, section->plainBytes, *bytes)};
+                         fmt::format("{}: {} bytes, expected {}", name, section->plainBytes,
+                                     least == most ? std::to_string(most) : fmt::format("at most {}", most))};
         }
         if (!section->zstd) return section->stored;
         if (section->plainBytes > left_) {
@@ -53,6 +54,18 @@ class Sections {
     uint64_t left_;
     std::vector<std::vector<uint8_t>>& plain_;
 };
+
+// The most bytes that the blocks of a set can need: far above what any encoding takes, yet in step with what
+// the file claims to hold.
+uint64_t mostDescriptorBytes(const FilHead& head) {
+    return filMostDescriptorBytes * (uint64_t{head.mapCount} + 1);
+}
+uint64_t mostPayloadBytes(const FilHead& head) {
+    if (head.encoding == encoding::Encoding::bitmask) return UINT32_MAX;
+    const uint64_t flat =
+        micromap::flatBytes(head.meta.level.value_or(micromap::maxLevel), micromap::Format::fourState);
+    return (filMostPayloadGrowth * flat + filMostMapBytes) * head.mapCount + filMostPayloadBase;
+}
 
 // The `bits` <= 32 bits from bit `at` of `bytes` on, which hold them.
 uint64_t bitsAt(std::span<const uint8_t> bytes, uint64_t at, unsigned bits) {
@@ -106,23 +119,24 @@ Status FilFile::open(std::span<const uint8_t> bytes, const FilReadOptions& optio
     auto table = readTable(bytes);
     if (!table) return table.error();
     Sections sections(std::move(*table), options.maxBytes, plain_);
-    const auto meta = sections.take(FilKind::meta);
+    const auto meta = sections.take(FilKind::meta, 0, filMostMetaBytes);
     if (!meta) return meta.error();
     Result<FilHead> head = decodeMeta(*meta);
     if (!head) return head.error().within("section meta");
     meta_ = std::move(head->meta);
     const uint64_t triangles = meta_.triangleCount();
-    const auto indices =
-        sections.take(FilKind::indices, filIndexBytes(head->encoding, head->mapCount, triangles));
+    const uint64_t indexBytes = filIndexBytes(head->encoding, head->mapCount, triangles);
+    const auto indices = sections.take(FilKind::indices, indexBytes, indexBytes);
     if (!indices) return indices.error();
     indices_ = *indices;
-    const auto descriptors = sections.take(FilKind::descriptors);
+    const auto descriptors = sections.take(FilKind::descriptors, 0, mostDescriptorBytes(*head));
     if (!descriptors) return descriptors.error();
-    const auto payload = sections.take(FilKind::payload);
+    const auto payload = sections.take(FilKind::payload, 0, mostPayloadBytes(*head));
     if (!payload) return payload.error();
     set_ = {head->encoding, head->format, head->mapCount, *descriptors, *payload};
     if (sections.has(FilKind::pairs)) {
-        const auto pairs = sections.take(FilKind::pairs, (uint64_t{head->mapCount} + 3) / 4);
+        const uint64_t pairBytes = (uint64_t{head->mapCount} + 3) / 4;
+        const auto pairs = sections.take(FilKind::pairs, pairBytes, pairBytes);
         if (!pairs) return pairs.error();
         pairs_ = *pairs;
     }

@@ -187,6 +187,23 @@ TEST(Fil, CompressedSectionsStayWithinTheLimit) {
     EXPECT_THAT(parseError(bytes, options), HasSubstr("more than the"));
 }
 
+TEST(Fil, BlocksAreInStepWithTheMaps) {
+    SampleFil sample(0, false);
+    const Bytes most(64);
+    const Bytes more(65);
+    sample.contents.set.descriptors = most;
+    for (const bool zstd : {false, true}) EXPECT_EQ(parseError(written(sample.contents, zstd)), "");
+    sample.contents.set.descriptors = more;
+    for (const bool zstd : {false, true})
+        EXPECT_THAT(parseError(written(sample.contents, zstd)),
+                    HasSubstr("descriptors: 65 bytes, expected at most 64"));
+    sample.contents.set.descriptors = {};
+    const Bytes payload((1 << 20) + 1);
+    sample.contents.set.payload = payload;
+    for (const bool zstd : {false, true})
+        EXPECT_THAT(parseError(written(sample.contents, zstd)), HasSubstr("payload: 1048577 bytes"));
+}
+
 TEST(Fil, PrimitivesRiseAndHaveGroups) {
     SampleFil sample;
     sample.contents.meta.primitives[2].mesh = 0;
