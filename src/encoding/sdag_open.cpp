@@ -25,6 +25,10 @@ Status checkHead(const Head& head, const EncodedView& set) {
         return formatError("descriptors: bytes 1 to 3: widths {}, {}, {}, expected at most 4, 32, 32",
                            head.baseBytes, head.referenceBits, head.valueBits);
     }
+    if ((head.referenceBits == 0) != (head.sharedBytes == 0)) {
+        return formatError("descriptors: byte 2: references of {} bits to {} bytes of leaves",
+                           head.referenceBits, head.sharedBytes);
+    }
     if (head.levels >> (micromap::maxLevel + 1) != 0 || (head.levels == 0) != (set.mapCount == 0)) {
         return formatError("descriptors: byte 4: levels {:#x} for {} maps", head.levels, set.mapCount);
     }

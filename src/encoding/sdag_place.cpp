@@ -70,7 +70,9 @@ void addressShared(std::span<const uint8_t> leafBytes, Placement& to) {
         to.leafAddress[leaf] = static_cast<uint32_t>(to.sharedBytes);
         to.sharedBytes += leafBytes[leaf];
     }
-    const uint32_t last = to.sharedLeaves.empty() ? 0 : to.leafAddress[to.sharedLeaves.back()];
+    if (to.sharedLeaves.empty()) return;
+    // At least one bit, so that no block is empty and two blocks never begin at one place.
+    const uint32_t last = std::max(1u, to.leafAddress[to.sharedLeaves.back()]);
     to.referenceBits = std::max(to.referenceBits, static_cast<unsigned>(std::bit_width(last)));
 }
 

@@ -1,6 +1,7 @@
 #include "filigree/micromap/curve.h"
 
 #include "filigree/micromap/curve_batch.h"
+#include "filigree/micromap/symmetry.h"
 
 #include "shared_data.h"
 
@@ -91,6 +92,12 @@ TEST(Curve, BatchEqualsOneByOne) {
     barycentricsToIndex(u, v, levels, indices);
     for (size_t k = 0; k < u.size(); ++k) {
         ASSERT_EQ(indices[k], barycentricsToIndex(u[k], v[k], levels[k])) << u[k] << " " << v[k];
+    }
+    std::vector<uint32_t> a(u.size());
+    std::vector<uint32_t> b(u.size());
+    barycentricsToPlanes(u, v, levels, a, b);
+    for (size_t k = 0; k < u.size(); ++k) {
+        ASSERT_EQ((Planes{a[k], b[k]}), planesOfIndex(indices[k], levels[k])) << u[k] << " " << v[k];
     }
 }
 

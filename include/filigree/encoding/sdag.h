@@ -30,17 +30,12 @@ class SdagReader {
     [[nodiscard]] unsigned level(uint32_t map) const { return levelOf(descriptor(map)); }
     [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const {
         const uint64_t from = descriptor(map);
-        if (isFlat(from)) [[unlikely]]
-            return flatAt(from, index);
-        return stateAt(from, micromap::planesOfIndex(index, levelOf(from)));
+        return stateOf(from, micromap::planesOfIndex(index, levelOf(from)));
     }
     [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
         const uint64_t from = descriptor(map);
         const unsigned level = levelOf(from);
-        const auto place = micromap::curveCoordinates(u, v, level);
-        if (isFlat(from)) [[unlikely]]
-            return flatAt(from, micromap::curveIndexOf(place, level));
-        return stateAt(from, micromap::planesOf(place, level));
+        return stateOf(from, micromap::planesOf(micromap::curveCoordinates(u, v, level), level));
     }
     void lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
                 std::span<micromap::State> states) const;
@@ -107,6 +102,9 @@ class SdagReader {
         return loadLe<uint64_t>(descriptors_ + bit / 8) >> (bit % 8);
     }
     [[nodiscard]] unsigned levelOf(uint64_t descriptor) const {
+        // Most sets have one level; then the place of a point need not wait for the descriptor.
+        if (layout_.levelBits == 0) [[likely]]
+            return layout_.levels[0];
         return layout_.levels[descriptor & ((1u << layout_.levelBits) - 1)];
     }
     [[nodiscard]] bool isFlat(uint64_t descriptor) const {
@@ -146,18 +144,24 @@ class SdagReader {
         const uint32_t bit =
             8 * rankOf(head.mixed & ~head.opaque, child) + layout_.referenceBits * rankOf(shared, child);
         const uint64_t reference = loadLe<uint64_t>(block + bit / 8) >> (bit % 8);
-        if (((shared >> child) & 1) == 0) return block + (reference & 255);
-        return payload_ + layout_.shared + (reference & ((uint64_t{1} << layout_.referenceBits) - 1));
+        // Which of the two is anybody's guess, so no branch.
+        const uint64_t isShared = 0 - uint64_t{(shared >> child) & 1};
+        const uint64_t referenceMask = pick(isShared, (uint64_t{1} << layout_.referenceBits) - 1, 255);
+        return payload_ + pick(isShared, layout_.shared, layout_.blocks + head.base) +
+               (reference & referenceMask);
     }
+    // `yes` where `mask` is all ones, `no` where it is 0.
+    static uint64_t pick(uint64_t mask, uint64_t yes, uint64_t no) { return no ^ ((no ^ yes) & mask); }
 
     [[nodiscard]] LeafHead leafHead(const uint8_t* leaf) const {
         const uint32_t first = leaf[0];
         if (first == escape) [[unlikely]]
             return escapedHead(leaf);
-        const bool isLong = first >= shortCodes;
-        const uint32_t code = isLong ? shortCodes + ((first - shortCodes) << 8 | leaf[1]) : first;
+        const uint32_t isLong = (first + (256 - shortCodes)) >> 8;
+        const auto code = static_cast<uint32_t>(
+            pick(0 - uint64_t{isLong}, shortCodes + ((first - shortCodes) << 8 | leaf[1]), first));
         const auto head = loadLe<uint32_t>(payload_ + layout_.heads + size_t{4} * code);
-        return {head & 0xffff, head >> 16, leaf + (isLong ? 2 : 1), nullptr};
+        return {head & 0xffff, head >> 16, leaf + 1 + isLong, nullptr};
     }
     static LeafHead escapedHead(const uint8_t* leaf) {
         if (leaf[1] != 0) return {0xffff, 0, nullptr, leaf + 2};
@@ -214,6 +218,11 @@ class SdagReader {
     }
 
     // `place` in the map's own frame.
+    [[nodiscard]] micromap::State stateOf(uint64_t descriptor, micromap::Planes place) const {
+        if (!isFlat(descriptor)) [[likely]]
+            return stateAt(descriptor, place);
+        return flatAt(descriptor, micromap::indexOfPlanes(place, levelOf(descriptor)));
+    }
     [[nodiscard]] micromap::State stateAt(uint64_t descriptor, micromap::Planes place) const {
         const micromap::Planes p = micromap::turned(place, symmetryOf(descriptor));
         const unsigned level = levelOf(descriptor);
@@ -235,6 +244,11 @@ class SdagReader {
         const uint32_t at = grandchildAt(p, 0);
         return static_cast<micromap::State>(fourState_ ? (pattern >> (2 * at)) & 3 : (pattern >> at) & 1);
     }
+
+    [[nodiscard]] bool fitsLanes() const;
+    template <class PlanesOfSome>
+    void lookupInChunks(std::span<const uint32_t> maps, std::span<micromap::State> states,
+                        const PlanesOfSome& planesOfSome) const;
 
     EncodedView set_;
     Layout layout_;

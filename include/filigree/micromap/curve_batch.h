@@ -11,4 +11,8 @@ namespace filigree::micromap {
 void barycentricsToIndex(std::span<const float> u, std::span<const float> v, std::span<const uint32_t> levels,
                          std::span<uint32_t> indices);
 
+// planesOf(curveCoordinates(u[k], v[k], levels[k]), levels[k]) into a[k] and b[k] for all k, likewise.
+void barycentricsToPlanes(std::span<const float> u, std::span<const float> v,
+                          std::span<const uint32_t> levels, std::span<uint32_t> a, std::span<uint32_t> b);
+
 }  // namespace filigree::micromap

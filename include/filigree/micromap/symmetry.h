@@ -53,10 +53,10 @@ constexpr unsigned digitOfChild(unsigned child, bool odd) {
 // of (a, b) over GF(2). Symmetry 0 is the identity.
 inline constexpr unsigned symmetryCount = 6;
 
-// Bits 0..3 of the map a' = m0 a ^ m1 b, b' = m2 a ^ m3 b.
+// Four bits each, the lowest symmetry 0: m0..m3 of the map a' = m0 a ^ m1 b, b' = m2 a ^ m3 b.
+inline constexpr uint32_t symmetryMatrices = 0xe'7'b'd'6'9u;
 constexpr uint32_t symmetryMatrix(unsigned symmetry) {
-    constexpr uint32_t matrices = 0x0'e'7'b'd'6'9u;
-    return (matrices >> (4 * symmetry)) & 15;
+    return (symmetryMatrices >> (4 * symmetry)) & 15;
 }
 
 constexpr Planes turned(Planes p, unsigned symmetry) {
