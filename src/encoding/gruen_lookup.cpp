@@ -41,7 +41,7 @@ V rowOrder(V i, V j, V flipped) {
     return hn::Add(hn::Mul(row, row), hn::Add(hn::ShiftLeft<1>(j), flipped));
 }
 
-// The operations of rowOrderOfCurve(), one by one.
+// The operations of latticeTriangle() and rowOrderIndex(), one by one.
 inline PlaceVector placesOfCurve(PlaceVector index) {
     const auto low = evenBits(index);
     const auto high = evenBits(hn::ShiftRight<1>(index));

@@ -5,6 +5,7 @@
 
 #include "shared_data.h"
 
+#include <algorithm>
 #include <bit>
 #include <fstream>
 #include <limits>
@@ -22,6 +23,21 @@ TEST(Curve, IndexAndLatticeAreInverse) {
             const LatticeTriangle t = latticeTriangle(index, level);
             ASSERT_EQ(curveIndex(t, level), index) << "level " << level;
         }
+    }
+}
+
+// The corners of the children of children, as the curve orders them.
+TEST(Curve, LatticeFollowsTheChildren) {
+    constexpr unsigned level = 6;
+    const auto midpoint = [](LatticePoint a, LatticePoint b) {
+        return LatticePoint{(a.i + b.i) / 2, (a.j + b.j) / 2};
+    };
+    for (uint32_t index = 0; index < (1u << (2 * level)); ++index) {
+        std::array<LatticePoint, 3> expected{{{0, 0}, {64, 0}, {0, 64}}};
+        for (unsigned k = level; k-- > 0;)
+            expected = childCorners(expected, (index >> (2 * k)) & 3, midpoint);
+        auto found = corners(latticeTriangle(index, level));
+        EXPECT_TRUE(std::ranges::is_permutation(found, expected)) << index;
     }
 }
 

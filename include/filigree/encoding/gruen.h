@@ -25,31 +25,9 @@ constexpr uint32_t rowOrderIndex(micromap::LatticeTriangle t) {
     return row * row + 2 * t.j + flipped;
 }
 
-// The same from a curve index, all digits at once. A digit of low bit l and high bit h names the child at a
-// corner: 0 at vertex 0, 2 at vertex 1, 3 at vertex 2, or 1, the middle. Odd digits swap the first two
-// vertices of what is below them; the middle turns it upside down, which complements the bits of i and j.
-inline uint32_t rowOrderOfCurve(uint32_t index) {
-    const auto evenBits = [](uint32_t bits) {
-        bits &= 0x55555555;
-        bits = (bits | (bits >> 1)) & 0x33333333;
-        bits = (bits | (bits >> 2)) & 0x0f0f0f0f;
-        bits = (bits | (bits >> 4)) & 0x00ff00ff;
-        return (bits | (bits >> 8)) & 0x0000ffff;
-    };
-    // Each bit becomes the parity of itself and all higher ones.
-    const auto parities = [](uint32_t bits) {
-        bits ^= bits >> 1;
-        bits ^= bits >> 2;
-        bits ^= bits >> 4;
-        return bits ^ (bits >> 8);
-    };
-    const uint32_t low = evenBits(index);
-    const uint32_t high = evenBits(index >> 1);
-    const uint32_t turns = parities(low & ~high);
-    const uint32_t swapped = parities(low) >> 1;
-    const uint32_t i = (~low & (high ^ swapped)) ^ (turns >> 1);
-    const uint32_t j = (low & high) ^ (turns >> 1);
-    return rowOrderIndex(micromap::LatticeTriangle{i, j, (turns & 1) != 0});
+// The same from a curve index.
+constexpr uint32_t rowOrderOfCurve(uint32_t index) {
+    return rowOrderIndex(micromap::latticeTriangle(index, 15));
 }
 
 // The same from barycentrics, without the curve: the micro-triangle that micromap::barycentricsToIndex finds,

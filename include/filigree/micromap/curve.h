@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace filigree::micromap {
@@ -31,9 +32,6 @@ constexpr std::array<LatticePoint, 3> corners(LatticeTriangle t) {
 
 // Curve index of a micro-triangle at `level`, 0..15. The triangle must lie in the lattice.
 uint32_t curveIndex(LatticeTriangle triangle, unsigned level);
-
-// The micro-triangle at curve index `index` < 4^level.
-LatticeTriangle latticeTriangle(uint32_t index, unsigned level);
 
 // Integer coordinates of a micro-triangle as the reference function of VK_KHR_opacity_micromap takes them:
 // the barycentrics times 2^level, rounded down; the low `level` bits of `w` make u + v + w = -1, or -2 where
@@ -91,6 +89,18 @@ constexpr uint32_t prefixParity(uint32_t bits) {
 }
 
 }  // namespace detail
+
+// The micro-triangle at curve index `index` < 4^level, level 0..15; all levels at once. Children 1 and 3 swap
+// the first two vertices of what is below them, and the middle child, 1, also turns it upside down, which
+// complements the bits of both coordinates.
+constexpr LatticeTriangle latticeTriangle(uint32_t index, [[maybe_unused]] unsigned level) {
+    assert(level <= 15 && index < (uint64_t{1} << (2 * level)));
+    const uint32_t low = detail::gather(index);
+    const uint32_t high = detail::gather(index >> 1);
+    const uint32_t turns = detail::prefixParity(low & ~high);
+    const uint32_t swaps = detail::prefixParity(low) >> 1;
+    return {(~low & (high ^ swaps)) ^ (turns >> 1), (low & high) ^ (turns >> 1), (turns & 1) != 0};
+}
 
 // Curve index of a micro-triangle: the interleaving step of the reference function. level 0..15.
 constexpr uint32_t curveIndexOf(CurveCoordinates at, unsigned level) {
