@@ -1,10 +1,11 @@
 #include "jobs/demo_scene.h"
 
+#include "filigree/core/vec3.h"
+
 #include "jobs/demo_meshes.h"
 #include "jobs/demo_textures.h"
 #include "jobs/glb_builder.h"
 #include "jobs/random.h"
-#include "jobs/vec3.h"
 
 #include <array>
 #include <cmath>

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "filigree/core/result.h"
+#include "filigree/core/vec3.h"
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/scene/scene.h"
 
 #include "jobs/json_text.h"
-#include "jobs/vec3.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "jobs/scene_view.h"
 
-#include "jobs/vec3.h"
+#include "filigree/core/vec3.h"
+
 #include "jobs/visibility.h"
 
 #include <algorithm>

@@ -16,11 +16,6 @@ Vec3 column(const std::array<float, 16>& m, size_t c) {
     return {m[4 * c], m[4 * c + 1], m[4 * c + 2]};
 }
 
-Vec3 transformed(const std::array<float, 16>& m, const Vec3& p) {
-    return plus(plus(times(column(m, 0), p[0]), times(column(m, 1), p[1])),
-                plus(times(column(m, 2), p[2]), column(m, 3)));
-}
-
 // A row of the matrix: the part of a point along `axis`, seen from `origin`, times `scale`.
 std::array<double, 4> rowAlong(const Vec3& axis, const Vec3& origin, double scale) {
     return {scale * axis[0], scale * axis[1], scale * axis[2], -scale * double{dot(axis, origin)}};

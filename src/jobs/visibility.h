@@ -1,11 +1,10 @@
 // Which triangle each pixel of a view sees.
 #pragma once
 
+#include "filigree/core/vec3.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/scene/scene.h"
-
-#include "jobs/vec3.h"
 
 #include <array>
 #include <cstdint>

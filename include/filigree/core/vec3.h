@@ -3,8 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
-namespace filigree::jobs {
+namespace filigree {
 
 using Vec3 = std::array<float, 3>;
 
@@ -28,4 +29,10 @@ inline Vec3 normalised(const Vec3& a) {
     return times(a, 1 / std::sqrt(dot(a, a)));
 }
 
-}  // namespace filigree::jobs
+// `p` under a column-major 4 x 4 matrix, as glTF stores them.
+inline Vec3 transformed(const std::array<float, 16>& m, const Vec3& p) {
+    const auto row = [&](size_t r) { return m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]; };
+    return {row(0), row(1), row(2)};
+}
+
+}  // namespace filigree
