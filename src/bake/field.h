@@ -4,7 +4,6 @@
 #include "filigree/image/alpha_image.h"
 #include "filigree/image/outline.h"
 
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -39,19 +38,6 @@ class Field {
     std::vector<Layer> layers_;
     std::unique_ptr<image::Outline> sideOutline_;
     double guard_;
-};
-
-// A texture and some of its coarser mip levels.
-class MipChain {
-  public:
-    // Level 0 is `texture` itself, which must outlive the chain; the chain ends at 1x1 texel.
-    MipChain(const image::AlphaTexture& texture, unsigned coarserLevels);
-
-    [[nodiscard]] const std::vector<const image::AlphaTexture*>& levels() const { return levels_; }
-
-  private:
-    std::deque<image::AlphaTexture> coarser_;
-    std::vector<const image::AlphaTexture*> levels_;
 };
 
 }  // namespace filigree::bake

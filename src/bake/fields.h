@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/core/executor.h"
+#include "filigree/image/mip_chain.h"
 #include "filigree/mesh/uv_triangle.h"
 
 #include "bake/classify.h"
@@ -32,7 +33,7 @@ class Fields {
     // More vertex alphas than this are bounded instead of traced: each outline costs as much as the texture.
     static constexpr size_t mostFields = 16;
 
-    MipChain chain_;
+    image::MipChain chain_;
     std::map<float, Field> constant_;
     std::optional<ShadedField> shaded_;
 };

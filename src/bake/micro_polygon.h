@@ -1,6 +1,8 @@
 // The widened outline of a micro-triangle: the corners of the triangle plus the guard square.
 #pragma once
 
+#include "filigree/image/widened.h"
+
 #include "bake/tile.h"
 
 #include <array>
@@ -26,7 +28,7 @@ class WidenedShape {
         for (size_t k = 0; k < 3; ++k) corner[k] = position<Real>(part, placement, lattice[k]);
         const double sign = t.flipped ? -1 : 1;
         image::PatchPolygon<Real> polygon;
-        for (const Corner& c : std::span(shape_).first(size_)) {
+        for (const image::WidenedCorner& c : std::span(shape_).first(size_)) {
             const Point<Real>& p = corner[c.corner];
             polygon.push({p.x - Real(static_cast<double>(cellX)) + Real(sign * c.x),
                           p.y - Real(static_cast<double>(cellY)) + Real(sign * c.y)});
@@ -35,12 +37,6 @@ class WidenedShape {
     }
 
   private:
-    struct Corner {
-        uint8_t corner = 0;
-        double x = 0;
-        double y = 0;
-    };
-
     template <class Real>
     static Point<Real> position(const SubTriangle& part, const Placement& placement,
                                 micromap::LatticePoint p) {
@@ -51,7 +47,7 @@ class WidenedShape {
         }
     }
 
-    std::array<Corner, 12> shape_{};
+    std::array<image::WidenedCorner, 12> shape_{};
     size_t size_ = 0;
 };
 

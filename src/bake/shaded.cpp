@@ -215,7 +215,7 @@ class ShadedClassifier {
 
 }  // namespace
 
-ShadedField::ShadedField(const MipChain& chain, const image::AlphaTest& test) : test_(test) {
+ShadedField::ShadedField(const image::MipChain& chain, const image::AlphaTest& test) : test_(test) {
     for (const image::AlphaTexture* level : chain.levels()) {
         layers_.push_back({level, image::TexelExtremes(*level)});
     }

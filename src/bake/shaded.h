@@ -3,6 +3,7 @@
 #pragma once
 
 #include "filigree/image/extremes.h"
+#include "filigree/image/mip_chain.h"
 #include "filigree/mesh/uv_triangle.h"
 
 #include "bake/classify.h"
@@ -18,7 +19,7 @@ namespace filigree::bake {
 // A texture and its mip levels, ready to be bounded.
 class ShadedField {
   public:
-    ShadedField(const MipChain& chain, const image::AlphaTest& test);
+    ShadedField(const image::MipChain& chain, const image::AlphaTest& test);
 
     struct Layer {
         const image::AlphaTexture* texture;
