@@ -1,6 +1,7 @@
 #include "filigree/image/alpha_sides.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -27,10 +28,18 @@ struct Block {
 // One question: walks the cells that the polygon may touch, in halves, until both sides have been seen.
 class Walk {
   public:
-    Walk(const AlphaSides& sides, const PlanePolygon& polygon, Filter filter, const Threshold& threshold)
+    Walk(const AlphaSides& sides, const PatchPolygon<Bounded>& polygon, Filter filter,
+         const Threshold& threshold)
         : sides_(sides), polygon_(polygon), filter_(filter), threshold_(threshold) {
-        for (size_t k = 0; k < polygon.exact.size(); ++k)
-            rounded_.push({polygon.exact[k].x.value(), polygon.exact[k].y.value()});
+        double reach = 1;
+        double error = 0;
+        for (size_t k = 0; k < polygon.size(); ++k) {
+            const PatchPoint<Bounded>& p = polygon[k];
+            rounded_.push({p.x.value(), p.y.value()});
+            reach = std::max({reach, std::fabs(p.x.value()), std::fabs(p.y.value())});
+            error = std::max({error, p.x.error(), p.y.error()});
+        }
+        slack_ = error + 4e-15 * reach;
     }
 
     Side run() {
@@ -40,7 +49,7 @@ class Walk {
 
   private:
     [[nodiscard]] Block around() const {
-        const double margin = polygon_.slack;
+        const double margin = slack_;
         PatchRange x;
         PatchRange y;
         for (size_t k = 0; k < rounded_.size(); ++k) {
@@ -72,7 +81,7 @@ class Walk {
 
     [[nodiscard]] bool mayTouch(const Block& b) const {
         return clipped(rounded_, static_cast<double>(b.x0), static_cast<double>(b.x1 + 1),
-                       static_cast<double>(b.y0), static_cast<double>(b.y1 + 1), 2 * polygon_.slack)
+                       static_cast<double>(b.y0), static_cast<double>(b.y1 + 1), slack_)
                    .size() > 0;
     }
 
@@ -103,7 +112,7 @@ class Walk {
 
     // A quarter of the cell belongs to each texel's square.
     void addTexels(int64_t x, int64_t y) {
-        const auto exact = relative(polygon_.exact, x, y);
+        const auto exact = relative(polygon_, x, y);
         for (const int64_t dx : {0, 1}) {
             for (const int64_t dy : {0, 1}) {
                 const double left = 0.5 * static_cast<double>(dx);
@@ -117,15 +126,14 @@ class Walk {
     void addPatch(int64_t x, int64_t y) {
         const Patch patch =
             Patch::of(texel(x, y), texel(x + 1, y), texel(x, y + 1), texel(x + 1, y + 1), threshold_.value);
-        const double slack = 2 * polygon_.slack;
-        const double tolerance = patchTolerance(patch, slack);
-        const PatchRange rough = rangeOver(patch, relative(rounded_, x, y), slack);
+        const double tolerance = patchTolerance(patch, slack_);
+        const PatchRange rough = rangeOver(patch, relative(rounded_, x, y), slack_);
         if (rough.empty()) return;
         if (rough.isOpaque(tolerance)) return add(Side::opaque);
         if (rough.isTransparent(tolerance)) return add(Side::transparent);
         if (rough.lower < -tolerance && rough.upper > tolerance) return add(Side::mixed);
         // Too close to call in double.
-        const PatchRange range = rangeOver(patch, relative(polygon_.exact, x, y));
+        const PatchRange range = rangeOver(patch, relative(polygon_, x, y));
         if (range.empty()) return;
         add(range.isOpaque() ? Side::opaque : range.isTransparent() ? Side::transparent : Side::mixed);
     }
@@ -134,10 +142,11 @@ class Walk {
     static constexpr size_t mostVisits = size_t{1} << 22;
 
     const AlphaSides& sides_;
-    const PlanePolygon& polygon_;
+    const PatchPolygon<Bounded>& polygon_;
     Filter filter_;
     Threshold threshold_;
-    PatchPolygon<double> rounded_;
+    PatchPolygon<double> rounded_;  // off by at most slack_, in texels, also when moved to a cell
+    double slack_ = 0;
     std::optional<Side> seen_;
     bool mixed_ = false;
     size_t visits_ = 0;
@@ -145,7 +154,7 @@ class Walk {
 
 }  // namespace
 
-Side AlphaSides::over(const PlanePolygon& polygon, Filter filter, const Threshold& threshold) const {
+Side AlphaSides::over(const PatchPolygon<Bounded>& polygon, Filter filter, const Threshold& threshold) const {
     return Walk(*this, polygon, filter, threshold).run();
 }
 

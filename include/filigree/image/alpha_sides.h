@@ -13,13 +13,6 @@ namespace filigree::image {
 // The side of all points of a shape. Where it is not certain that all are alike, `mixed`.
 enum class Side : uint8_t { transparent, mixed, opaque };
 
-// A convex polygon in the sample space of a texture (outline.h), of at most 12 corners; it may be a line or a
-// point.
-struct PlanePolygon {
-    PatchPolygon<Bounded> exact;
-    double slack = 0;  // bounds how far any corner's value() is from the corner, in texels
-};
-
 // Answers for one texture. Exact where no operation of the corners' positions rounds, and never wrong: what
 // rounding cannot tell is mixed. Calls may come from several threads at once.
 class AlphaSides {
@@ -27,9 +20,11 @@ class AlphaSides {
     // The texture must outlive it.
     explicit AlphaSides(const AlphaTexture& texture) : texture_(&texture), extremes_(texture) {}
 
-    // The side of the closed polygon. `filter` must be linear or nearest; with nearest a point on a border
+    // The side of a closed convex polygon in the texture's sample space (outline.h), of at most 12 corners;
+    // it may be a line or a point. `filter` must be linear or nearest; with nearest a point on a border
     // between texels counts as either.
-    [[nodiscard]] Side over(const PlanePolygon& polygon, Filter filter, const Threshold& threshold) const;
+    [[nodiscard]] Side over(const PatchPolygon<Bounded>& polygon, Filter filter,
+                            const Threshold& threshold) const;
 
     // The side of every point that reads only texels of cells [x0, x1] x [y0, y1], unwrapped: a bound that
     // costs little. Right for both filters.
