@@ -1,0 +1,72 @@
+// The ways to decide a candidate hit with a surface that has holes.
+#pragma once
+
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/trace/world.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace filigree::trace {
+
+// `none` takes every hit, `texture` interpolates texture coordinates and filters the alpha texture: the
+// reference. The others look a state up first.
+enum class Method : uint8_t {
+    none,
+    texture,
+    bitmask,
+    gruen,
+    micromap,
+    tree,
+    indexedTree,
+    dag,
+    sdag,
+};
+inline constexpr size_t methodCount = 9;
+
+// The names of the command line.
+std::string_view nameOf(Method method);
+std::optional<Method> methodNamed(std::string_view name);
+
+// The encoding that a method reads; none for `none` and `texture`.
+std::optional<encoding::Encoding> encodingOf(Method method);
+
+// What a method knows of a surface.
+struct SurfaceMaps {
+    // [triangle_count], a map of the set or special (-1..-4). Empty: nothing, every candidate is unknown.
+    // With Method::bitmask its place is taken by `texture`.
+    std::span<const int32_t> indices;
+    std::optional<uint32_t> texture;  // of a bitmask set
+};
+
+// A method with its data, which it looks into.
+class Opacity {
+  public:
+    // `states` 4: unknown states fetch the texture. 2: their side decides, and nothing is fetched where there
+    // is a state. `surfaces` by surface of `world`, both of which must outlive this; not needed by `none` and
+    // `texture`. `set` is checked.
+    static Result<Opacity> make(Method method, unsigned states, const World& world,
+                                const encoding::EncodedView& set, std::vector<SurfaceMaps> surfaces);
+
+    Opacity(Opacity&&) noexcept;
+    Opacity& operator=(Opacity&&) noexcept;
+    ~Opacity();
+
+    [[nodiscard]] Method method() const;
+    [[nodiscard]] unsigned states() const;
+
+    // For this room only.
+    struct Data;
+    [[nodiscard]] const Data& data() const { return *data_; }
+
+  private:
+    explicit Opacity(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace filigree::trace

@@ -1,0 +1,69 @@
+// A scene ready to be traced: its geometry under Embree, its alpha textures beside it.
+#pragma once
+
+#include "filigree/core/result.h"
+#include "filigree/core/vec3.h"
+#include "filigree/scene/scene.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace filigree::trace {
+
+struct WorldOptions {
+    bool blend = true;  // BLEND materials are stochastically transparent; otherwise opaque
+};
+
+// A box in world units; empty where low > high.
+struct Box {
+    Vec3 low{1, 1, 1};
+    Vec3 high{0, 0, 0};
+    [[nodiscard]] bool empty() const { return !(low[0] <= high[0]); }
+    [[nodiscard]] float diagonal() const;
+};
+
+// Meshes are built once and instanced. A surface is one primitive of a mesh, with its material; they are
+// numbered over all meshes in scene order, primitives without triangles left out. Vertices or transforms that
+// are not finite drop their triangle or instance, with a note.
+class World {
+  public:
+    // `scene` must outlive the world; its images need their colour and alpha decoded
+    // (io::ReadOptions::colour, blendAlpha). ErrorKind::limit when Embree runs out of memory.
+    static Result<World> build(const scene::Scene& scene, const WorldOptions& options);
+
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+    ~World();
+
+    [[nodiscard]] size_t surfaceCount() const;
+    // The primitive behind a surface.
+    [[nodiscard]] const scene::Primitive& primitive(size_t surface) const;
+    // True where hits are candidates that an alpha test decides.
+    [[nodiscard]] bool isTested(size_t surface) const;
+
+    [[nodiscard]] Box bounds() const;              // of all instances
+    [[nodiscard]] uint64_t triangleCount() const;  // instances counted
+    [[nodiscard]] const std::vector<std::string>& notes() const;
+
+    // Memory while rays are traced, in bytes.
+    struct Bytes {
+        uint64_t geometry = 0;  // vertices and indices as Embree holds them
+        uint64_t bvh = 0;
+        uint64_t textures = 0;  // alpha as the any-hit test reads it
+    };
+    [[nodiscard]] Bytes bytes() const;
+
+    // For this room only.
+    struct Data;
+    [[nodiscard]] const Data& data() const { return *data_; }
+
+  private:
+    explicit World(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace filigree::trace

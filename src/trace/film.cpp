@@ -1,0 +1,60 @@
+#include "filigree/trace/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace filigree::trace {
+namespace {
+
+constexpr std::array<std::string_view, 4> integratorNames{"primary", "shadow", "ao", "path"};
+
+// The curve of sRGB (IEC 61966-2-1).
+uint8_t encoded(float value) {
+    const float c = std::clamp(value, 0.0F, 1.0F);
+    const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
+    return static_cast<uint8_t>(std::lround(s * 255));
+}
+
+}  // namespace
+
+std::string_view nameOf(Integrator integrator) {
+    return integratorNames[static_cast<size_t>(integrator)];
+}
+
+std::optional<Integrator> integratorNamed(std::string_view name) {
+    const auto found = std::ranges::find(integratorNames, name);
+    if (found == integratorNames.end()) return std::nullopt;
+    return static_cast<Integrator>(found - integratorNames.begin());
+}
+
+Status check(const RenderSettings& settings) {
+    for (const uint32_t side : {settings.width, settings.height}) {
+        if (side >= 1 && side <= maxPictureSide) continue;
+        return Error{ErrorKind::usage, fmt::format("a picture of {} x {} pixels: give sides from 1 to {}",
+                                                   settings.width, settings.height, maxPictureSide)};
+    }
+    const auto& m = settings.camera.transform;
+    const float fov = settings.camera.verticalFov;
+    const bool good =
+        std::ranges::all_of(m, [](float x) { return std::isfinite(x); }) && fov > 0 && fov < 3.14F;
+    if (!good)
+        return Error{ErrorKind::usage,
+                     "the camera is not finite, or its angle not between 0 and 180 degrees"};
+    return {};
+}
+
+scene::ColourImage developed(const Film& film) {
+    scene::ColourImage image{film.width, film.height, {}};
+    image.rgba.reserve(4 * film.sums.size());
+    const float share = film.samples > 0 ? 1.0F / static_cast<float>(film.samples) : 0;
+    for (const Vec3& sum : film.sums) {
+        for (const float channel : sum) image.rgba.push_back(encoded(1 - std::exp(-channel * share)));
+        image.rgba.push_back(255);
+    }
+    return image;
+}
+
+}  // namespace filigree::trace

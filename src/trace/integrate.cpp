@@ -1,0 +1,269 @@
+#include "filigree/trace/render.h"
+
+#include "trace/camera.h"
+#include "trace/filter.h"
+#include "trace/opacity_data.h"
+#include "trace/random.h"
+#include "trace/world_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+namespace filigree::trace {
+namespace {
+
+constexpr float farthest = std::numeric_limits<float>::infinity();
+constexpr uint32_t tileSide = 32;  // pixels
+constexpr Vec3 sunlight{2.6F, 2.35F, 1.9F};
+constexpr Vec3 haze{1.1F, 1.3F, 1.5F};
+constexpr Vec3 zenith{0.35F, 0.7F, 1.4F};
+const Vec3 towardsSun = normalised({0.45F, 0.75F, 0.42F});
+
+Vec3 product(const Vec3& a, const Vec3& b) {
+    return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+Vec3 blended(const Vec3& a, const Vec3& b, float share) {
+    return plus(times(a, 1 - share), times(b, share));
+}
+
+Vec3 sky(const Vec3& direction) {
+    return blended(haze, zenith, std::clamp(direction[1], 0.0F, 1.0F));
+}
+
+// A place that a ray hit, as seen from where it came.
+struct Place {
+    Vec3 point{};
+    Vec3 normal{};  // geometric, of length 1, towards the ray's origin
+    Vec3 albedo{};
+};
+
+// About the axis `n`, with the density of a diffuse reflection (Malley's method).
+Vec3 cosineDirection(const Vec3& n, RandomStream& random) {
+    const float radius = std::sqrt(random.next());
+    const float angle = 2 * std::numbers::pi_v<float> * random.next();
+    // A frame without branches: Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
+    const float sign = std::copysign(1.0F, n[2]);
+    const float a = -1 / (sign + n[2]);
+    const float b = n[0] * n[1] * a;
+    const Vec3 t{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};
+    const Vec3 s{b, sign + n[1] * n[1] * a, -n[1]};
+    const float up = std::sqrt(std::max(0.0F, 1 - radius * radius));
+    return normalised(
+        plus(times(n, up), plus(times(t, radius * std::cos(angle)), times(s, radius * std::sin(angle)))));
+}
+
+const std::array<float, 256>& linearOfSrgb() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made{};
+        for (size_t i = 0; i < made.size(); ++i) {
+            const float c = static_cast<float>(i) / 255;
+            made[i] = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+        }
+        return made;
+    }();
+    return table;
+}
+
+// The nearest texel: the pictures show alpha tests, not texture filters.
+Vec3 albedoOf(const Surface& surface, uint32_t triangle, float u, float v) {
+    if (surface.material == nullptr) return {0.6F, 0.6F, 0.6F};
+    const scene::Material& material = *surface.material;
+    const Vec3 factor{material.baseColourFactor[0], material.baseColourFactor[1],
+                      material.baseColourFactor[2]};
+    if (surface.colour == nullptr) return factor;
+    const scene::ColourImage& image = *surface.colour;
+    const mesh::Uv uv = surface.coordinatesAt(triangle, u, v);
+    const auto texel = [](float at, uint32_t size, image::Wrap wrap) {
+        const float scaled = std::clamp(std::floor(at * static_cast<float>(size)), -1e9F, 1e9F);
+        return image::wrapTexel(static_cast<int64_t>(scaled), size, wrap);
+    };
+    const uint32_t x = texel(uv.u, image.width, material.wrapU);
+    const uint32_t y = texel(uv.v, image.height, material.wrapV);
+    const uint8_t* rgba = &image.rgba[4 * (size_t{y} * image.width + x)];
+    const auto& linear = linearOfSrgb();
+    return product(factor, {linear[rgba[0]], linear[rgba[1]], linear[rgba[2]]});
+}
+
+// Follows the rays of one sample of one pixel after another.
+class Walker {
+  public:
+    Walker(const World& world, const Opacity& opacity, const RenderSettings& settings, unsigned sample)
+        : world_(world.data()),
+          opacity_(opacity.data()),
+          settings_(settings),
+          sample_(sample),
+          rays_(settings.camera, settings.width, settings.height),
+          epsilon_(std::max(1e-6F, 2e-5F * world.bounds().diagonal())),
+          aoDistance_(settings.aoDistance > 0 ? settings.aoDistance : 0.1F * world.bounds().diagonal()) {}
+
+    Vec3 pixel(uint32_t x, uint32_t y) {
+        RandomStream random(settings_.seed, y * settings_.width + x, sample_);
+        const Vec3 direction =
+            rays_.through(static_cast<float>(x) + random.next(), static_cast<float>(y) + random.next());
+        const auto place = intersect(rays_.origin(), direction, RayKind::primary, random.bits());
+        if (!place) return sky(direction);
+        switch (settings_.integrator) {
+            case Integrator::primary:
+                return times(place->albedo, 0.4F + 1.4F * std::fabs(dot(place->normal, direction)));
+            case Integrator::shadow:
+                return product(place->albedo, plus(Vec3{0.5F, 0.6F, 0.7F}, sunAt(*place, random)));
+            case Integrator::ao:
+                return times({1.6F, 1.6F, 1.6F}, isOpen(*place, random) ? 1.0F : 0.0F);
+            case Integrator::path:
+                break;
+        }
+        return path(*place, random);
+    }
+
+    [[nodiscard]] const Counters& counters() const { return counters_; }
+
+  private:
+    RayContext contextOf(RayKind kind, uint32_t seed) {
+        RayContext context;
+        rtcInitIntersectContext(&context.embree);
+        if (kind == RayKind::primary) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        context.accepts = opacity_.accepts;
+        context.opacity = &opacity_;
+        context.counts = &counters_[kind];
+        context.seed = seed;
+        ++context.counts->rays;
+        return context;
+    }
+
+    static void setRay(RTCRay& ray, const Vec3& origin, const Vec3& direction, float length) {
+        ray.org_x = origin[0];
+        ray.org_y = origin[1];
+        ray.org_z = origin[2];
+        ray.tnear = 0;
+        ray.dir_x = direction[0];
+        ray.dir_y = direction[1];
+        ray.dir_z = direction[2];
+        ray.time = 0;
+        ray.tfar = length;
+        ray.mask = ~0u;
+        ray.id = 0;
+        ray.flags = 0;
+    }
+
+    std::optional<Place> intersect(const Vec3& origin, const Vec3& direction, RayKind kind, uint32_t seed) {
+        RayContext context = contextOf(kind, seed);
+        RTCRayHit ray;
+        setRay(ray.ray, origin, direction, farthest);
+        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(world_.top.get(), &context.embree, &ray);
+        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+        return placeOf(ray.hit, direction);
+    }
+
+    [[nodiscard]] Place placeOf(const RTCHit& hit, const Vec3& direction) const {
+        const Surface& surface = world_.surfaceOf(hit);
+        const auto& transform = world_.placements[hit.instID[0]].transform;
+        std::array<Vec3, 3> corners;
+        for (size_t k = 0; k < 3; ++k) {
+            const uint32_t vertex = surface.primitive->indices[size_t{3} * hit.primID + k];
+            corners[k] = transformed(transform, surface.primitive->positions[vertex]);
+        }
+        const Vec3 e1 = minus(corners[1], corners[0]);
+        const Vec3 e2 = minus(corners[2], corners[0]);
+        Vec3 normal = cross(e1, e2);
+        normal = dot(normal, normal) > 0 ? normalised(normal) : times(direction, -1);
+        if (dot(normal, direction) > 0) normal = times(normal, -1);
+        return {plus(corners[0], plus(times(e1, hit.u), times(e2, hit.v))), normal,
+                albedoOf(surface, hit.primID, hit.u, hit.v)};
+    }
+
+    // True when something lies within `length` of a place.
+    bool isOccluded(const Place& place, const Vec3& direction, float length, RayKind kind,
+                    RandomStream& random) {
+        RayContext context = contextOf(kind, random.bits());
+        context.twoState = settings_.twoStateShadows;
+        DeferredCandidates deferred;
+        if (settings_.defer) context.deferred = &deferred;
+        RTCRay ray;
+        setRay(ray, plus(place.point, times(place.normal, epsilon_)), direction, length);
+        rtcOccluded1(world_.top.get(), &context.embree, &ray);
+        if (ray.tfar < 0) return true;
+        return std::any_of(deferred.of.begin(),
+                           deferred.of.begin() + static_cast<std::ptrdiff_t>(deferred.count),
+                           [&](const Candidate& candidate) { return fetchAccepts(context, candidate); });
+    }
+
+    Vec3 sunAt(const Place& place, RandomStream& random) {
+        const float facing = dot(place.normal, towardsSun);
+        if (facing <= 0 || isOccluded(place, towardsSun, farthest, RayKind::shadow, random)) return {0, 0, 0};
+        return times(sunlight, facing);
+    }
+
+    bool isOpen(const Place& place, RandomStream& random) {
+        return !isOccluded(place, cosineDirection(place.normal, random), aoDistance_, RayKind::ao, random);
+    }
+
+    Vec3 path(Place place, RandomStream& random) {
+        Vec3 light{};
+        Vec3 throughput{1, 1, 1};
+        for (unsigned bounce = 0;; ++bounce) {
+            throughput = product(throughput, place.albedo);
+            light = plus(light, product(throughput, sunAt(place, random)));
+            if (bounce == settings_.bounces) return light;
+            const Vec3 direction = cosineDirection(place.normal, random);
+            const Vec3 origin = plus(place.point, times(place.normal, epsilon_));
+            const auto next = intersect(origin, direction, RayKind::bounce, random.bits());
+            if (!next) return plus(light, product(throughput, sky(direction)));
+            place = *next;
+        }
+    }
+
+    const World::Data& world_;
+    const Opacity::Data& opacity_;
+    const RenderSettings& settings_;
+    unsigned sample_;
+    CameraRays rays_;
+    float epsilon_;     // world units, how far rays start off a surface
+    float aoDistance_;  // world units
+    Counters counters_;
+};
+
+// Renders one tile into the film; returns what its rays cost.
+Counters renderTile(const World& world, const Opacity& opacity, const RenderSettings& settings, uint32_t left,
+                    uint32_t top, Film& film) {
+    Walker walker(world, opacity, settings, film.samples);
+    for (uint32_t y = top; y < std::min(top + tileSide, film.height); ++y) {
+        for (uint32_t x = left; x < std::min(left + tileSide, film.width); ++x) {
+            const RayCounts before = walker.counters().total();
+            const Vec3 light = walker.pixel(x, y);
+            const RayCounts after = walker.counters().total();
+            const size_t at = size_t{y} * film.width + x;
+            film.sums[at] = plus(film.sums[at], light);
+            film.alphaTests[at] += static_cast<uint32_t>(after.textureFetches - before.textureFetches);
+            film.bitsRead[at] += static_cast<uint32_t>(after.bitsRead - before.bitsRead);
+        }
+    }
+    return walker.counters();
+}
+
+}  // namespace
+
+bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
+               const Executor& executor, ProgressSink& progress, Film& film) {
+    const uint32_t columns = (film.width + tileSide - 1) / tileSide;
+    const uint32_t rows = (film.height + tileSide - 1) / tileSide;
+    std::vector<Counters> counters(size_t{columns} * rows);
+    executor.parallelFor(counters.size(), 1, [&](size_t begin, size_t end) {
+        for (size_t k = begin; k < end && !progress.cancelled(); ++k) {
+            const auto left = static_cast<uint32_t>(k % columns) * tileSide;
+            const auto top = static_cast<uint32_t>(k / columns) * tileSide;
+            counters[k] = renderTile(world, opacity, settings, left, top, film);
+            progress.advance(1);
+        }
+    });
+    for (const Counters& some : counters) film.counters.add(some);
+    ++film.samples;
+    return !progress.cancelled();
+}
+
+}  // namespace filigree::trace
