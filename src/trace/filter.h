@@ -47,6 +47,7 @@ struct RayContext {
     DeferredCandidates* deferred = nullptr;  // null: nothing is set aside
     uint32_t seed = 0;                       // of the ray, for stochastic transparency
     bool twoState = false;
+    bool countBitsRead = false;
 };
 
 // The filter function of every surface that is tested.

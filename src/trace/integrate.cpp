@@ -1,8 +1,7 @@
 #include "filigree/trace/render.h"
 
 #include "trace/camera.h"
-#include "trace/filter.h"
-#include "trace/opacity_data.h"
+#include "trace/cast.h"
 #include "trace/random.h"
 #include "trace/world_data.h"
 
@@ -91,20 +90,23 @@ Vec3 albedoOf(const Surface& surface, uint32_t triangle, float u, float v) {
 // Follows the rays of one sample of one pixel after another.
 class Walker {
   public:
-    Walker(const World& world, const Opacity& opacity, const RenderSettings& settings, unsigned sample)
+    // Writes all rays down, too, where there is a list for them.
+    Walker(const World& world, const Opacity& opacity, const RenderSettings& settings, unsigned sample,
+           std::vector<Ray>* rays = nullptr)
         : world_(world.data()),
-          opacity_(opacity.data()),
+          caster_(world.data(), opacity.data(), {settings.defer, settings.twoStateShadows}),
+          rays_(rays),
           settings_(settings),
           sample_(sample),
-          rays_(settings.camera, settings.width, settings.height),
+          camera_(settings.camera, settings.width, settings.height),
           epsilon_(std::max(1e-6F, 2e-5F * world.bounds().diagonal())),
           aoDistance_(settings.aoDistance > 0 ? settings.aoDistance : 0.1F * world.bounds().diagonal()) {}
 
     Vec3 pixel(uint32_t x, uint32_t y) {
         RandomStream random(settings_.seed, y * settings_.width + x, sample_);
         const Vec3 direction =
-            rays_.through(static_cast<float>(x) + random.next(), static_cast<float>(y) + random.next());
-        const auto place = intersect(rays_.origin(), direction, RayKind::primary, random.bits());
+            camera_.through(static_cast<float>(x) + random.next(), static_cast<float>(y) + random.next());
+        const auto place = intersect(camera_.origin(), direction, RayKind::primary, random.bits());
         if (!place) return sky(direction);
         switch (settings_.integrator) {
             case Integrator::primary:
@@ -119,45 +121,18 @@ class Walker {
         return path(*place, random);
     }
 
-    [[nodiscard]] const Counters& counters() const { return counters_; }
+    [[nodiscard]] const Counters& counters() const { return caster_.counters(); }
 
   private:
-    RayContext contextOf(RayKind kind, uint32_t seed) {
-        RayContext context;
-        rtcInitIntersectContext(&context.embree);
-        if (kind == RayKind::primary) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        context.accepts = opacity_.accepts;
-        context.opacity = &opacity_;
-        context.counts = &counters_[kind];
-        context.seed = seed;
-        ++context.counts->rays;
-        return context;
-    }
-
-    static void setRay(RTCRay& ray, const Vec3& origin, const Vec3& direction, float length) {
-        ray.org_x = origin[0];
-        ray.org_y = origin[1];
-        ray.org_z = origin[2];
-        ray.tnear = 0;
-        ray.dir_x = direction[0];
-        ray.dir_y = direction[1];
-        ray.dir_z = direction[2];
-        ray.time = 0;
-        ray.tfar = length;
-        ray.mask = ~0u;
-        ray.id = 0;
-        ray.flags = 0;
-    }
-
     std::optional<Place> intersect(const Vec3& origin, const Vec3& direction, RayKind kind, uint32_t seed) {
-        RayContext context = contextOf(kind, seed);
-        RTCRayHit ray;
-        setRay(ray.ray, origin, direction, farthest);
-        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(world_.top.get(), &context.embree, &ray);
-        if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-        return placeOf(ray.hit, direction);
+        const auto hit = caster_.nearestHit(noted({origin, direction, farthest, seed, kind}));
+        if (!hit) return std::nullopt;
+        return placeOf(*hit, direction);
+    }
+
+    const Ray& noted(const Ray& ray) {
+        if (rays_ != nullptr) rays_->push_back(ray);
+        return ray;
     }
 
     [[nodiscard]] Place placeOf(const RTCHit& hit, const Vec3& direction) const {
@@ -180,17 +155,8 @@ class Walker {
     // True when something lies within `length` of a place.
     bool isOccluded(const Place& place, const Vec3& direction, float length, RayKind kind,
                     RandomStream& random) {
-        RayContext context = contextOf(kind, random.bits());
-        context.twoState = settings_.twoStateShadows;
-        DeferredCandidates deferred;
-        if (settings_.defer) context.deferred = &deferred;
-        RTCRay ray;
-        setRay(ray, plus(place.point, times(place.normal, epsilon_)), direction, length);
-        rtcOccluded1(world_.top.get(), &context.embree, &ray);
-        if (ray.tfar < 0) return true;
-        return std::any_of(deferred.of.begin(),
-                           deferred.of.begin() + static_cast<std::ptrdiff_t>(deferred.count),
-                           [&](const Candidate& candidate) { return fetchAccepts(context, candidate); });
+        const Vec3 origin = plus(place.point, times(place.normal, epsilon_));
+        return caster_.isOccluded(noted({origin, direction, length, random.bits(), kind}));
     }
 
     Vec3 sunAt(const Place& place, RandomStream& random) {
@@ -219,30 +185,43 @@ class Walker {
     }
 
     const World::Data& world_;
-    const Opacity::Data& opacity_;
+    Caster caster_;
+    std::vector<Ray>* rays_;
     const RenderSettings& settings_;
     unsigned sample_;
-    CameraRays rays_;
+    CameraRays camera_;
     float epsilon_;     // world units, how far rays start off a surface
     float aoDistance_;  // world units
-    Counters counters_;
 };
 
-// Renders one tile into the film; returns what its rays cost.
-Counters renderTile(const World& world, const Opacity& opacity, const RenderSettings& settings, uint32_t left,
-                    uint32_t top, Film& film) {
-    Walker walker(world, opacity, settings, film.samples);
-    for (uint32_t y = top; y < std::min(top + tileSide, film.height); ++y) {
-        for (uint32_t x = left; x < std::min(left + tileSide, film.width); ++x) {
-            const RayCounts before = walker.counters().total();
-            const Vec3 light = walker.pixel(x, y);
-            const RayCounts after = walker.counters().total();
-            const size_t at = size_t{y} * film.width + x;
-            film.sums[at] = plus(film.sums[at], light);
-            film.alphaTests[at] += static_cast<uint32_t>(after.textureFetches - before.textureFetches);
-            film.bitsRead[at] += static_cast<uint32_t>(after.bitsRead - before.bitsRead);
-        }
+// Calls pixel(x, y) for each pixel of one tile.
+template <class Pixel>
+void forTile(uint32_t width, uint32_t height, size_t tile, Pixel&& pixel) {
+    const uint32_t columns = (width + tileSide - 1) / tileSide;
+    const auto left = static_cast<uint32_t>(tile % columns) * tileSide;
+    const auto top = static_cast<uint32_t>(tile / columns) * tileSide;
+    for (uint32_t y = top; y < std::min(top + tileSide, height); ++y) {
+        for (uint32_t x = left; x < std::min(left + tileSide, width); ++x) pixel(x, y);
     }
+}
+
+size_t tileCount(uint32_t width, uint32_t height) {
+    return size_t{(width + tileSide - 1) / tileSide} * ((height + tileSide - 1) / tileSide);
+}
+
+// Renders one tile into the film; returns what its rays cost.
+Counters renderTile(const World& world, const Opacity& opacity, const RenderSettings& settings, size_t tile,
+                    Film& film) {
+    Walker walker(world, opacity, settings, film.samples);
+    forTile(film.width, film.height, tile, [&](uint32_t x, uint32_t y) {
+        const RayCounts before = walker.counters().total();
+        const Vec3 light = walker.pixel(x, y);
+        const RayCounts after = walker.counters().total();
+        const size_t at = size_t{y} * film.width + x;
+        film.sums[at] = plus(film.sums[at], light);
+        film.alphaTests[at] += static_cast<uint32_t>(after.textureFetches - before.textureFetches);
+        film.bitsRead[at] += static_cast<uint32_t>(after.bitsRead - before.bitsRead);
+    });
     return walker.counters();
 }
 
@@ -250,20 +229,24 @@ Counters renderTile(const World& world, const Opacity& opacity, const RenderSett
 
 bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
                const Executor& executor, ProgressSink& progress, Film& film) {
-    const uint32_t columns = (film.width + tileSide - 1) / tileSide;
-    const uint32_t rows = (film.height + tileSide - 1) / tileSide;
-    std::vector<Counters> counters(size_t{columns} * rows);
+    std::vector<Counters> counters(tileCount(film.width, film.height));
     executor.parallelFor(counters.size(), 1, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end && !progress.cancelled(); ++k) {
-            const auto left = static_cast<uint32_t>(k % columns) * tileSide;
-            const auto top = static_cast<uint32_t>(k / columns) * tileSide;
-            counters[k] = renderTile(world, opacity, settings, left, top, film);
+            counters[k] = renderTile(world, opacity, settings, k, film);
             progress.advance(1);
         }
     });
     for (const Counters& some : counters) film.counters.add(some);
     ++film.samples;
     return !progress.cancelled();
+}
+
+std::vector<Ray> raysOf(const World& world, const Opacity& opacity, const RenderSettings& settings) {
+    std::vector<Ray> rays;
+    Walker walker(world, opacity, settings, 0, &rays);
+    for (size_t k = 0; k < tileCount(settings.width, settings.height); ++k)
+        forTile(settings.width, settings.height, k, [&](uint32_t x, uint32_t y) { walker.pixel(x, y); });
+    return rays;
 }
 
 }  // namespace filigree::trace

@@ -1,0 +1,63 @@
+#include "trace/cast.h"
+
+#include <algorithm>
+
+namespace filigree::trace {
+namespace {
+
+RTCRay embreeRay(const Ray& from) {
+    RTCRay ray;
+    ray.org_x = from.origin[0];
+    ray.org_y = from.origin[1];
+    ray.org_z = from.origin[2];
+    ray.tnear = 0;
+    ray.dir_x = from.direction[0];
+    ray.dir_y = from.direction[1];
+    ray.dir_z = from.direction[2];
+    ray.time = 0;
+    ray.tfar = from.length;
+    ray.mask = ~0u;
+    ray.id = 0;
+    ray.flags = 0;
+    return ray;
+}
+
+}  // namespace
+
+RayContext Caster::contextOf(const Ray& ray) {
+    RayContext context;
+    rtcInitIntersectContext(&context.embree);
+    if (ray.kind == RayKind::primary) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.accepts = opacity_.accepts;
+    context.opacity = &opacity_;
+    context.counts = &counters_[ray.kind];
+    context.seed = ray.seed;
+    context.twoState = options_.twoStateShadows && asksForAnyHit(ray.kind);
+    context.countBitsRead = options_.countBitsRead;
+    ++context.counts->rays;
+    return context;
+}
+
+std::optional<RTCHit> Caster::nearestHit(const Ray& ray) {
+    RayContext context = contextOf(ray);
+    RTCRayHit found;
+    found.ray = embreeRay(ray);
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(world_.top.get(), &context.embree, &found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return found.hit;
+}
+
+bool Caster::isOccluded(const Ray& ray) {
+    RayContext context = contextOf(ray);
+    DeferredCandidates deferred;
+    if (options_.defer) context.deferred = &deferred;
+    RTCRay found = embreeRay(ray);
+    rtcOccluded1(world_.top.get(), &context.embree, &found);
+    if (found.tfar < 0) return true;
+    return std::any_of(deferred.of.begin(), deferred.of.begin() + static_cast<std::ptrdiff_t>(deferred.count),
+                       [&](const Candidate& candidate) { return fetchAccepts(context, candidate); });
+}
+
+}  // namespace filigree::trace

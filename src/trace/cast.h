@@ -1,0 +1,49 @@
+// One ray into a world.
+#pragma once
+
+#include "filigree/trace/rays.h"
+
+#include "trace/filter.h"
+#include "trace/opacity_data.h"
+#include "trace/world_data.h"
+
+#include <optional>
+
+#include <embree3/rtcore.h>
+
+namespace filigree::trace {
+
+// What all rays of a picture have in common.
+struct CastOptions {
+    bool defer = false;            // as RenderSettings::defer
+    bool twoStateShadows = false;  // as RenderSettings::twoStateShadows
+    bool countBitsRead = false;
+};
+
+// Casts rays and counts what they cost.
+class Caster {
+  public:
+    // The first two must outlive it.
+    Caster(const World::Data& world, const Opacity::Data& opacity, const CastOptions& options)
+        : world_(world), opacity_(opacity), options_(options) {}
+
+    std::optional<RTCHit> nearestHit(const Ray& ray);
+    bool isOccluded(const Ray& ray);
+
+    [[nodiscard]] const Counters& counters() const { return counters_; }
+
+  private:
+    RayContext contextOf(const Ray& ray);
+
+    const World::Data& world_;
+    const Opacity::Data& opacity_;
+    CastOptions options_;
+    Counters counters_;
+};
+
+// True where only whether something is hit matters.
+constexpr bool asksForAnyHit(RayKind kind) {
+    return kind == RayKind::shadow || kind == RayKind::ao;
+}
+
+}  // namespace filigree::trace
