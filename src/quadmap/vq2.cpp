@@ -2,32 +2,13 @@
 
 #include "filigree/core/bytes.h"
 
+#include "quadmap/fields.h"
+
 namespace filigree::quadmap {
 namespace {
 
 constexpr size_t indexRowBytes = 3;
 constexpr size_t bookStart = 24;
-
-// Takes fields of a word from its lowest bit on.
-struct Fields {
-    uint64_t bits = 0;
-    uint8_t take(unsigned count) {
-        const auto field = static_cast<uint8_t>(bits & ((1U << count) - 1));
-        bits >>= count;
-        return field;
-    }
-};
-
-// Puts fields into a word from its lowest bit on.
-struct Packed {
-    uint64_t bits = 0;
-    unsigned used = 0;
-    void put(unsigned field, unsigned count) {
-        assert(field < 1U << count);
-        bits |= uint64_t{field} << used;
-        used += count;
-    }
-};
 
 Region regionIn(Word2 word, Cell cell) {
     if ((word >> (2 * cell.y + cell.x) & 1) == 0) return Region::mixed;

@@ -4,6 +4,7 @@
 
 #include "filigree/quadmap/square.h"
 #include "filigree/quadmap/vq2.h"
+#include "filigree/quadmap/vq4.h"
 
 namespace filigree::quadmap {
 
@@ -30,5 +31,14 @@ Vq2Block encodeVq2(const Square& square, Vq2Method method, Prefer prefer = Prefe
 
 // A square of side 16 as VQ2+, optimal over all transforms, codebooks and readings.
 Vq2Block encodeVq2Plus(const Square& square, Prefer prefer = Prefer::neither);
+
+// `paper` is algorithm 2. `fast` and `best` choose words among the intersections of two vectors each, swap
+// them while that helps, and follow one or several books as quadrants join; `best` then perturbs what it
+// found.
+enum class Vq4Method : uint8_t { paper, fast, best };
+
+// A square of side 32 as VQ4 or VQ4+.
+Vq4Block encodeVq4(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
+Vq4Block encodeVq4Plus(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
 
 }  // namespace filigree::quadmap

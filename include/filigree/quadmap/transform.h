@@ -31,6 +31,19 @@ constexpr Transform inverse(Transform transform) {
     return transform == 1 ? 7 : transform == 7 ? 1 : transform;
 }
 
+// The transform that does `first`, then `second`.
+constexpr Transform compose(Transform second, Transform first) {
+    const auto corner = [&](Cell cell) { return storedCell(first, 3, storedCell(second, 3, cell)); };
+    for (Transform both = 0; both < transformCount; ++both) {
+        const Cell a = storedCell(both, 3, {0, 0});
+        const Cell b = storedCell(both, 3, {2, 0});
+        const Cell c = corner({0, 0});
+        const Cell d = corner({2, 0});
+        if (a.x == c.x && a.y == c.y && b.x == d.x && b.y == d.y) return both;
+    }
+    return 0;
+}
+
 // `cells` of a side x side grid, bit y * side + x each, transformed.
 constexpr uint32_t transformedCells(Transform transform, unsigned side, uint32_t cells) {
     uint32_t shown = 0;
