@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cassert>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -35,9 +36,42 @@ bool acceptByTexture(RayContext& context, const Candidate& candidate) {
 
 // A method with a reader of its encoding.
 template <class Reader>
-struct WithReader final : Opacity::Data {
+struct WithReader : Opacity::Data {
     explicit WithReader(Reader r) : reader(std::move(r)) {}
     Reader reader;
+};
+
+// Special indices are the highest numbers.
+template <class Index>
+constexpr auto firstSpecial = static_cast<Index>(0 - 4);
+
+constexpr uint32_t noIndices = ~0u;
+constexpr unsigned manyLevels = ~0u;
+
+// What a candidate's triangle says of its map, as narrow as the number of maps allows: `indices` of all
+// surfaces one after another.
+template <class Reader, class Index>
+struct ByMap final : WithReader<Reader> {
+    using WithReader<Reader>::WithReader;
+
+    std::vector<uint32_t> first;  // [surface_count], into `indices`; noIndices: every candidate is unknown
+    std::vector<Index> indices;
+    unsigned level = manyLevels;  // of all maps
+
+    [[nodiscard]] State at(uint32_t map, float u, float v) const {
+        // Then the place of a point need not wait for the map's descriptor.
+        if (hasCurve && level != manyLevels) [[likely]]
+            return this->reader.at(map, micromap::barycentricsToIndex(u, v, level));
+        return this->reader.at(map, u, v);
+    }
+
+    // The others find points in their own ways.
+    static constexpr bool hasCurve =
+        !std::is_same_v<Reader, encoding::GruenReader> && !std::is_same_v<Reader, encoding::SdagReader>;
+
+    [[nodiscard]] uint64_t indexBytes() const override {
+        return first.size() * sizeof(uint32_t) + indices.size() * sizeof(Index);
+    }
 };
 
 // No state decided: aside with it, or the texture does.
@@ -53,29 +87,37 @@ bool acceptState(RayContext& context, const Opacity::Data& opacity, const Candid
     return acceptUnknown(context, candidate);
 }
 
-template <class Reader>
+template <class Reader, class Index>
 bool acceptByMap(RayContext& context, const Candidate& candidate) {
-    const auto& opacity = *static_cast<const WithReader<Reader>*>(context.opacity);
+    const auto& opacity = *static_cast<const ByMap<Reader, Index>*>(context.opacity);
     ++context.counts->candidateHits;
-    const SurfaceMaps& maps = opacity.surfaces[candidate.surface->number];
-    if (maps.indices.empty()) return acceptUnknown(context, candidate);
-    const int32_t index = maps.indices[candidate.triangle];
-    if (index < 0) return acceptState(context, opacity, candidate, micromap::stateOfSpecialIndex(index));
+    const uint32_t first = opacity.first[candidate.surface->number];
+    if (first == noIndices) return acceptUnknown(context, candidate);
+    const Index index = opacity.indices[size_t{first} + candidate.triangle];
+    if (index >= firstSpecial<Index>) {
+        const auto special = static_cast<int32_t>(static_cast<std::make_signed_t<Index>>(index));
+        return acceptState(context, opacity, candidate, micromap::stateOfSpecialIndex(special));
+    }
     ++context.counts->lookups;
-    const auto map = static_cast<uint32_t>(index);
-    return acceptState(context, opacity, candidate, opacity.reader.at(map, candidate.u, candidate.v));
+    return acceptState(context, opacity, candidate, opacity.at(index, candidate.u, candidate.v));
 }
 
+struct ByBitmask final : WithReader<encoding::BitmaskReader> {
+    using WithReader::WithReader;
+    std::vector<uint32_t> textures;  // [surface_count], noIndices: every candidate is unknown
+    [[nodiscard]] uint64_t indexBytes() const override { return textures.size() * sizeof(uint32_t); }
+};
+
 bool acceptByBitmask(RayContext& context, const Candidate& candidate) {
-    const auto& opacity = *static_cast<const WithReader<encoding::BitmaskReader>*>(context.opacity);
+    const auto& opacity = *static_cast<const ByBitmask*>(context.opacity);
+    const Surface& surface = *candidate.surface;
     ++context.counts->candidateHits;
-    const SurfaceMaps& maps = opacity.surfaces[candidate.surface->number];
+    const uint32_t texture = opacity.textures[surface.number];
     // Vertex alpha is in no bitmask.
-    if (!maps.texture || !candidate.surface->primitive->alphas.empty())
-        return acceptUnknown(context, candidate);
+    if (texture == noIndices || surface.vertexAlphas != nullptr) return acceptUnknown(context, candidate);
     ++context.counts->lookups;
-    const mesh::Uv uv = candidate.surface->coordinatesAt(candidate.triangle, candidate.u, candidate.v);
-    return acceptState(context, opacity, candidate, opacity.reader.at(*maps.texture, uv.u, uv.v));
+    const mesh::Uv uv = surface.coordinatesAt(candidate.triangle, candidate.u, candidate.v);
+    return acceptState(context, opacity, candidate, opacity.reader.at(texture, uv.u, uv.v));
 }
 
 Status checkIndices(const World& world, const std::vector<SurfaceMaps>& surfaces, uint32_t mapCount) {
@@ -102,17 +144,42 @@ Status checkIndices(const World& world, const std::vector<SurfaceMaps>& surfaces
 using MadeData = Result<std::unique_ptr<Opacity::Data>>;
 
 template <class Reader>
-MadeData withReader(const encoding::EncodedView& set, AcceptFunction accepts) {
-    auto reader = Reader::open(set);
-    if (!reader) return reader.error();
-    std::unique_ptr<Opacity::Data> data = std::make_unique<WithReader<Reader>>(std::move(*reader));
-    data->accepts = accepts;
+unsigned commonLevel(const Reader& reader) {
+    for (uint32_t map = 1; map < reader.mapCount(); ++map) {
+        if (reader.level(map) != reader.level(0)) return manyLevels;
+    }
+    return reader.mapCount() == 0 ? manyLevels : reader.level(0);
+}
+
+template <class Reader, class Index>
+std::unique_ptr<Opacity::Data> byMap(Reader reader, const std::vector<SurfaceMaps>& surfaces) {
+    auto data = std::make_unique<ByMap<Reader, Index>>(std::move(reader));
+    data->accepts = acceptByMap<Reader, Index>;
+    data->level = commonLevel(data->reader);
+    for (const SurfaceMaps& maps : surfaces) {
+        const auto first = static_cast<uint32_t>(data->indices.size());
+        data->first.push_back(maps.indices.empty() ? noIndices : first);
+        for (const int32_t index : maps.indices) data->indices.push_back(static_cast<Index>(index));
+    }
     return data;
 }
 
 template <class Reader>
-MadeData byMap(const encoding::EncodedView& set) {
-    return withReader<Reader>(set, acceptByMap<Reader>);
+MadeData byMap(const encoding::EncodedView& set, const std::vector<SurfaceMaps>& surfaces) {
+    auto reader = Reader::open(set);
+    if (!reader) return reader.error();
+    if (set.mapCount <= firstSpecial<uint8_t>) return byMap<Reader, uint8_t>(std::move(*reader), surfaces);
+    if (set.mapCount <= firstSpecial<uint16_t>) return byMap<Reader, uint16_t>(std::move(*reader), surfaces);
+    return byMap<Reader, uint32_t>(std::move(*reader), surfaces);
+}
+
+MadeData byBitmask(const encoding::EncodedView& set, const std::vector<SurfaceMaps>& surfaces) {
+    auto reader = encoding::BitmaskReader::open(set);
+    if (!reader) return reader.error();
+    auto data = std::make_unique<ByBitmask>(std::move(*reader));
+    data->accepts = acceptByBitmask;
+    for (const SurfaceMaps& maps : surfaces) data->textures.push_back(maps.texture.value_or(noIndices));
+    return std::unique_ptr<Opacity::Data>(std::move(data));
 }
 
 MadeData withoutReader(AcceptFunction accepts) {
@@ -121,26 +188,26 @@ MadeData withoutReader(AcceptFunction accepts) {
     return data;
 }
 
-MadeData dataOf(Method method, const encoding::EncodedView& set) {
+MadeData dataOf(Method method, const encoding::EncodedView& set, const std::vector<SurfaceMaps>& surfaces) {
     switch (method) {
         case Method::none:
             return withoutReader(acceptAll);
         case Method::texture:
             return withoutReader(acceptByTexture);
         case Method::bitmask:
-            return withReader<encoding::BitmaskReader>(set, acceptByBitmask);
+            return byBitmask(set, surfaces);
         case Method::gruen:
-            return byMap<encoding::GruenReader>(set);
+            return byMap<encoding::GruenReader>(set, surfaces);
         case Method::micromap:
-            return byMap<encoding::FlatReader>(set);
+            return byMap<encoding::FlatReader>(set, surfaces);
         case Method::tree:
-            return byMap<encoding::TreeReader>(set);
+            return byMap<encoding::TreeReader>(set, surfaces);
         case Method::indexedTree:
-            return byMap<encoding::IndexedTreeReader>(set);
+            return byMap<encoding::IndexedTreeReader>(set, surfaces);
         case Method::dag:
-            return byMap<encoding::DagReader>(set);
+            return byMap<encoding::DagReader>(set, surfaces);
         case Method::sdag:
-            return byMap<encoding::SdagReader>(set);
+            return byMap<encoding::SdagReader>(set, surfaces);
     }
     return Error{ErrorKind::usage, "no such method"};
 }
@@ -172,13 +239,15 @@ Result<Opacity> Opacity::make(Method method, unsigned states, const World& world
         return Error{ErrorKind::usage,
                      fmt::format("{} cannot read {}", nameOf(method), nameOf(set.encoding))};
     }
-    auto data = dataOf(method, set);
-    if (!data) return data.error();
     surfaces.resize(world.surfaceCount());
-    if (auto checked = checkIndices(world, surfaces, set.mapCount); !checked) return checked.error();
+    if (wanted) {
+        if (auto checked = checkIndices(world, surfaces, set.mapCount); !checked) return checked.error();
+    }
+    auto data = dataOf(method, set, surfaces);
+    if (!data) return data.error();
     (*data)->method = method;
     (*data)->states = states;
-    (*data)->surfaces = std::move(surfaces);
+    if (wanted) (*data)->setBytes = set.descriptors.size() + set.payload.size();
     return Opacity(std::move(*data));
 }
 
@@ -192,6 +261,10 @@ Method Opacity::method() const {
 }
 unsigned Opacity::states() const {
     return data_->states;
+}
+
+uint64_t Opacity::bytes() const {
+    return data_->setBytes + data_->indexBytes();
 }
 
 }  // namespace filigree::trace

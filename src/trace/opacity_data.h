@@ -5,7 +5,7 @@
 
 #include "trace/filter.h"
 
-#include <vector>
+#include <cstdint>
 
 namespace filigree::trace {
 
@@ -15,7 +15,10 @@ struct Opacity::Data {
     Method method = Method::none;
     unsigned states = 4;
     AcceptFunction accepts = nullptr;
-    std::vector<SurfaceMaps> surfaces;
+    uint64_t setBytes = 0;
+
+    // Of what tells the map of each triangle.
+    [[nodiscard]] virtual uint64_t indexBytes() const { return 0; }
 };
 
 }  // namespace filigree::trace

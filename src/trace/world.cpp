@@ -76,6 +76,9 @@ class Builder {
     void addSurface(const scene::Primitive& primitive, RTCScene scene) {
         Surface& surface = to_.surfaces.emplace_back();
         surface.primitive = &primitive;
+        surface.indices = primitive.indices.data();
+        if (!primitive.uvs.empty()) surface.uvs = primitive.uvs.data();
+        if (!primitive.alphas.empty()) surface.vertexAlphas = primitive.alphas.data();
         surface.number = static_cast<uint32_t>(to_.surfaces.size() - 1);
         if (primitive.material >= 0) setMaterial(surface);
         RTCGeometry geometry = rtcNewGeometry(to_.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -130,9 +133,11 @@ class Builder {
         const auto key = std::tuple(material.image, material.wrapU, material.wrapV, material.filter);
         const Sampler*& sampler = samplers_[key];
         if (sampler == nullptr) {
-            const image::AlphaTexture texture{*scene_.images[static_cast<size_t>(material.image)].alpha,
-                                              material.wrapU, material.wrapV, material.filter};
-            to_.samplers.push_back(std::make_unique<Sampler>(texture));
+            const scene::Image& image = scene_.images[static_cast<size_t>(material.image)];
+            const image::AlphaTexture texture{*image.alpha, material.wrapU, material.wrapV, material.filter};
+            const bool amongColours = options_.alphaAmongColours && image.colour && image.alpha->steps == 255;
+            to_.samplers.push_back(amongColours ? std::make_unique<Sampler>(texture, *image.colour)
+                                                : std::make_unique<Sampler>(texture));
             sampler = to_.samplers.back().get();
         }
         return sampler;
@@ -186,30 +191,10 @@ class Builder {
 
 }  // namespace
 
-namespace {
-
-// In double precision: texture coordinates of many repeats would lose the texel's fraction in single.
-double mixed(float a, float b, float c, float u, float v) {
-    return a + double{u} * (double{b} - a) + double{v} * (double{c} - a);
-}
-
-}  // namespace
-
 mesh::Uv Surface::coordinatesAt(uint32_t triangle, float u, float v) const {
     const mesh::UvTriangle t = primitive->uvTriangle(triangle);
     return {static_cast<float>(mixed(t.uv[0].u, t.uv[1].u, t.uv[2].u, u, v)),
             static_cast<float>(mixed(t.uv[0].v, t.uv[1].v, t.uv[2].v, u, v))};
-}
-
-double Surface::alphaAt(uint32_t triangle, float u, float v) const {
-    const mesh::UvTriangle t = primitive->uvTriangle(triangle);
-    double result = factor;
-    if (alpha != nullptr) {
-        result *= alpha->at(mixed(t.uv[0].u, t.uv[1].u, t.uv[2].u, u, v),
-                            mixed(t.uv[0].v, t.uv[1].v, t.uv[2].v, u, v));
-    }
-    if (!primitive->alphas.empty()) result *= mixed(t.alpha[0], t.alpha[1], t.alpha[2], u, v);
-    return result;
 }
 
 float Box::diagonal() const {

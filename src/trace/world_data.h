@@ -28,13 +28,34 @@ struct Surface {
     uint32_t number = 0;                         // World's
     AlphaKind kind = AlphaKind::opaque;
     double cutoff = 0.5;
-    double factor = 1;  // multiplies the alpha
+    double factor = 1;                    // multiplies the alpha
+    const uint32_t* indices = nullptr;    // the primitive's, close at hand
+    const mesh::Uv* uvs = nullptr;        // null: none
+    const float* vertexAlphas = nullptr;  // null: none
 
     // Texture coordinates at a point of a triangle, u and v the weights of its vertices 1 and 2.
     [[nodiscard]] mesh::Uv coordinatesAt(uint32_t triangle, float u, float v) const;
 
     // Alpha at a point of a triangle.
-    [[nodiscard]] double alphaAt(uint32_t triangle, float u, float v) const;
+    [[nodiscard]] double alphaAt(uint32_t triangle, float u, float v) const {
+        const uint32_t* corner = indices + size_t{3} * triangle;
+        double result = factor;
+        if (alpha != nullptr) {
+            const mesh::Uv& a = uvs[corner[0]];
+            const mesh::Uv& b = uvs[corner[1]];
+            const mesh::Uv& c = uvs[corner[2]];
+            result *= alpha->at(mixed(a.u, b.u, c.u, u, v), mixed(a.v, b.v, c.v, u, v));
+        }
+        if (vertexAlphas != nullptr) {
+            result *= mixed(vertexAlphas[corner[0]], vertexAlphas[corner[1]], vertexAlphas[corner[2]], u, v);
+        }
+        return result;
+    }
+
+    // In double precision: texture coordinates of many repeats would lose the texel's fraction in single.
+    static double mixed(float a, float b, float c, float u, float v) {
+        return a + double{u} * (double{b} - a) + double{v} * (double{c} - a);
+    }
 };
 
 // Embree objects that release themselves.

@@ -49,7 +49,7 @@ class Opacity {
   public:
     // `states` 4: unknown states fetch the texture. 2: their side decides, and nothing is fetched where there
     // is a state. `surfaces` by surface of `world`, both of which must outlive this; not needed by `none` and
-    // `texture`. `set` is checked.
+    // `texture`. `set` is checked, and looked into from then on.
     static Result<Opacity> make(Method method, unsigned states, const World& world,
                                 const encoding::EncodedView& set, std::vector<SurfaceMaps> surfaces);
 
@@ -59,6 +59,8 @@ class Opacity {
 
     [[nodiscard]] Method method() const;
     [[nodiscard]] unsigned states() const;
+    // Bytes of opacity data in memory: the set, and each triangle's map or special index.
+    [[nodiscard]] uint64_t bytes() const;
 
     // For this room only.
     struct Data;

@@ -16,6 +16,9 @@ namespace filigree::trace {
 
 struct WorldOptions {
     bool blend = true;  // BLEND materials are stochastically transparent; otherwise opaque
+    // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8 bits;
+    // otherwise a copy of the alpha alone.
+    bool alphaAmongColours = false;
 };
 
 // A box in world units; empty where low > high.
