@@ -59,6 +59,8 @@ void addBench(CLI::App& app, Commands& commands) {
     auto* bench = app.add_subcommand("bench", "The timings of docs/results.md");
     bench->require_subcommand(1);
     addBenchBake(*bench, commands);
+    addBenchEncode(*bench, commands);
+    addBenchLookup(*bench, commands);
 }
 
 }  // namespace filigree::app

@@ -79,6 +79,8 @@ void addExpand(CLI::App& app, Commands& commands);
 void addValidate(CLI::App& app, Commands& commands);
 void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);
+void addBenchEncode(CLI::App& bench, Commands& commands);
+void addBenchLookup(CLI::App& bench, Commands& commands);
 void addDemo(CLI::App& app, Commands& commands);
 
 }  // namespace filigree::app

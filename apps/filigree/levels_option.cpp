@@ -39,6 +39,13 @@ void addLevelsOption(CLI::App& verb, std::vector<unsigned>& levels, const std::s
         ->type_name("1-10|4,6,8");
 }
 
+void addMethodsOption(CLI::App& verb, std::vector<std::string>& methods, const std::string& usual) {
+    const auto parse = [&methods](const std::string& text) { methods = CLI::detail::split(text, ','); };
+    verb.add_option_function<std::string>("--methods", parse,
+                                          "Encodings, with commas between them; default " + usual)
+        ->type_name("NAMES");
+}
+
 void addBothStates(CLI::App& verb, std::vector<unsigned>& states) {
     const auto parse = [&states](const std::string& text) {
         if (text != "2" && text != "4" && text != "both") throw CLI::ConversionError(text, "--states");

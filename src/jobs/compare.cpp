@@ -2,11 +2,11 @@
 
 #include "filigree/core/file.h"
 #include "filigree/io/fil.h"
-#include "filigree/io/gltf.h"
 #include "filigree/report/drawing.h"
 
 #include "jobs/encode_scene.h"
 #include "jobs/inspection.h"
+#include "jobs/level_sweep.h"
 #include "jobs/peak_memory.h"
 #include "jobs/scene_bytes.h"
 #include "jobs/stopwatch.h"
@@ -25,22 +25,8 @@ using micromap::Format;
 constexpr uint64_t triangleIndexBytes = 12;
 
 Status check(const CompareOptions& options) {
-    if (options.levels.empty()) return Error{ErrorKind::usage, "--levels: give one or more"};
-    for (const unsigned level : options.levels) {
-        if (level > micromap::maxLevel)
-            return Error{ErrorKind::usage,
-                         fmt::format("--levels {}: the highest is {}", level, micromap::maxLevel)};
-    }
+    if (const Status levels = checkLevels(options.levels); !levels) return levels;
     return check(options.parameters);
-}
-
-Result<scene::Scene> readInput(const CompareOptions& options) {
-    const auto document = io::GltfDocument::load(options.input);
-    if (!document) return document.error();
-    io::ReadOptions reading;
-    reading.blendAlpha = options.parameters.includeBlend;
-    reading.micromaps = false;
-    return io::readScene(*document, reading);
 }
 
 // Flat states and masks in row order take the same bytes, of which every one is known beforehand.
@@ -58,11 +44,9 @@ class Comparison {
         for (const unsigned states : {2u, 4u}) {
             const auto wanted = encodingsOf(states);
             if (wanted.empty()) continue;
-            BakeParameters parameters = options_.parameters;
-            parameters.level = level;
-            parameters.states = states;
-            const auto maps = bakeMaps(scene, parameters, executor_, progress_);
-            if (!maps) return maps.error().within(options_.input.string());
+            const auto maps =
+                bakeAt(scene, options_.input, options_.parameters, level, states, executor_, progress_);
+            if (!maps) return maps.error();
             if (summary_.rows.empty()) describe(scene, *maps);
             for (const Wanted& one : wanted) {
                 if (progress_.cancelled()) return Error{ErrorKind::cancelled, "the comparison was cancelled"};
@@ -194,7 +178,7 @@ Result<CompareSummary> compare(const CompareOptions& options, const Executor& ex
                                ProgressSink& progress) {
     if (const Status checked = check(options); !checked) return checked.error();
     const Stopwatch watch;
-    auto scene = readInput(options);
+    auto scene = readUnbaked(options.input, options.parameters);
     if (!scene) return scene.error();
     Comparison comparison(options, executor, progress);
     for (const unsigned level : options.levels) {

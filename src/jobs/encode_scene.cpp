@@ -25,14 +25,14 @@ Result<encoding::EncodedSet> encodeTextures(const scene::Scene& scene, const Sce
 
 }  // namespace
 
-Result<encoding::Encoding> findEncoding(const std::string& name) {
+Result<encoding::Encoding> findEncoding(const std::string& name, std::string_view option) {
     if (const auto found = encoding::encodingNamed(name)) return *found;
     std::string names;
     for (unsigned k = 0; k < encoding::encodingCount; ++k) {
         if (k > 0) names += ", ";
         names += encoding::nameOf(static_cast<encoding::Encoding>(k));
     }
-    return Error{ErrorKind::usage, fmt::format("--encoding {}: choose one of {}", name, names)};
+    return Error{ErrorKind::usage, fmt::format("{} {}: choose one of {}", option, name, names)};
 }
 
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters) {

@@ -12,12 +12,13 @@
 #include "jobs/scene_maps.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace filigree::jobs {
 
-// The encoding of that name, or ErrorKind::usage with all names.
-Result<encoding::Encoding> findEncoding(const std::string& name);
+// The encoding of that name, or ErrorKind::usage with all names and the option that gave it.
+Result<encoding::Encoding> findEncoding(const std::string& name, std::string_view option = "--encoding");
 
 // How to bake for `encoding`, whose sets shall have `parameters.states` in the end.
 BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters parameters);

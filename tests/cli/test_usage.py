@@ -5,7 +5,8 @@ import unittest
 from asset import leaf
 from program import CliTest
 
-VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["bench", "bake"], ["demo"])
+VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["bench", "bake"], ["bench", "lookup"],
+         ["bench", "encode"], ["demo"])
 
 
 class Usage(CliTest):

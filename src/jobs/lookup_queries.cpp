@@ -1,0 +1,63 @@
+#include "jobs/lookup_queries.h"
+
+#include "jobs/random.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace filigree::jobs {
+namespace {
+
+struct Place {
+    size_t primitive = 0;  // into SceneMaps::primitives
+    size_t triangle = 0;
+};
+
+std::vector<Place> placesWithMaps(const SceneMaps& maps, const SceneMaps& cautious) {
+    assert(maps.primitives.size() == cautious.primitives.size());
+    std::vector<Place> places;
+    for (size_t p = 0; p < maps.primitives.size(); ++p) {
+        const auto& indices = maps.primitives[p].indices;
+        const auto& others = cautious.primitives[p].indices;
+        for (size_t t = 0; t < indices.size(); ++t) {
+            if (indices[t] >= 0 && others[t] >= 0) places.push_back({p, t});
+        }
+    }
+    return places;
+}
+
+void addPoint(LookupQueries& to, const SceneMaps& maps, const SceneMaps& cautious, Place place,
+              Random& random) {
+    auto u = static_cast<float>(random.uniform(0, 1));
+    auto v = static_cast<float>(random.uniform(0, 1));
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    const MapPrimitive& primitive = maps.primitives[place.primitive];
+    const mesh::UvTriangle triangle = primitive.primitive->uvTriangle(place.triangle);
+    const auto& uv = triangle.uv;
+    to.maps.push_back(static_cast<uint32_t>(primitive.indices[place.triangle]));
+    to.cautiousMaps.push_back(
+        static_cast<uint32_t>(cautious.primitives[place.primitive].indices[place.triangle]));
+    to.u.push_back(u);
+    to.v.push_back(v);
+    to.textures.push_back(static_cast<uint32_t>(primitive.group));
+    to.s.push_back(uv[0].u + u * (uv[1].u - uv[0].u) + v * (uv[2].u - uv[0].u));
+    to.t.push_back(uv[0].v + u * (uv[1].v - uv[0].v) + v * (uv[2].v - uv[0].v));
+    to.vertexAlpha.push_back(std::ranges::any_of(triangle.alpha, [](float alpha) { return alpha != 1; }));
+}
+
+}  // namespace
+
+LookupQueries randomQueries(const SceneMaps& maps, const SceneMaps& cautious, size_t count) {
+    LookupQueries queries;
+    const std::vector<Place> places = placesWithMaps(maps, cautious);
+    if (places.empty()) return queries;
+    Random random(1);
+    for (size_t k = 0; k < count; ++k)
+        addPoint(queries, maps, cautious, places[random.next() % places.size()], random);
+    return queries;
+}
+
+}  // namespace filigree::jobs
