@@ -14,7 +14,7 @@ namespace {
 
 // The verbs that are planned but not there yet: they say so and are wrong usage.
 void addLater(CLI::App& app, Commands& commands) {
-    for (const char* name : {"vq", "render", "grids"}) {
+    for (const char* name : {"vq", "grids"}) {
         Command command(app, name, "Not in this version", fmt::format("filigree {} --help", name));
         command.options().group("")->allow_extras();
         command.onRun([name] {
@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
     addValidate(app, commands);
     addInspect(app, commands);
     addBench(app, commands);
+    addRender(app, commands);
     addDemo(app, commands);
     addLater(app, commands);
     try {

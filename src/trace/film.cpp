@@ -30,12 +30,17 @@ std::optional<Integrator> integratorNamed(std::string_view name) {
     return static_cast<Integrator>(found - integratorNames.begin());
 }
 
-Status check(const RenderSettings& settings) {
-    for (const uint32_t side : {settings.width, settings.height}) {
+Status checkSize(uint32_t width, uint32_t height) {
+    for (const uint32_t side : {width, height}) {
         if (side >= 1 && side <= maxPictureSide) continue;
         return Error{ErrorKind::usage, fmt::format("a picture of {} x {} pixels: give sides from 1 to {}",
-                                                   settings.width, settings.height, maxPictureSide)};
+                                                   width, height, maxPictureSide)};
     }
+    return {};
+}
+
+Status check(const RenderSettings& settings) {
+    if (auto checked = checkSize(settings.width, settings.height); !checked) return checked;
     const auto& m = settings.camera.transform;
     const float fov = settings.camera.verticalFov;
     const bool good =

@@ -108,6 +108,7 @@ class Walker {
             camera_.through(static_cast<float>(x) + random.next(), static_cast<float>(y) + random.next());
         const auto place = intersect(camera_.origin(), direction, RayKind::primary, random.bits());
         if (!place) return sky(direction);
+        ++pixelsHit_;
         switch (settings_.integrator) {
             case Integrator::primary:
                 return times(place->albedo, 0.4F + 1.4F * std::fabs(dot(place->normal, direction)));
@@ -122,6 +123,7 @@ class Walker {
     }
 
     [[nodiscard]] const Counters& counters() const { return caster_.counters(); }
+    [[nodiscard]] uint64_t pixelsHit() const { return pixelsHit_; }
 
   private:
     std::optional<Place> intersect(const Vec3& origin, const Vec3& direction, RayKind kind, uint32_t seed) {
@@ -192,6 +194,7 @@ class Walker {
     CameraRays camera_;
     float epsilon_;     // world units, how far rays start off a surface
     float aoDistance_;  // world units
+    uint64_t pixelsHit_ = 0;
 };
 
 // Calls pixel(x, y) for each pixel of one tile.
@@ -209,11 +212,19 @@ size_t tileCount(uint32_t width, uint32_t height) {
     return size_t{(width + tileSide - 1) / tileSide} * ((height + tileSide - 1) / tileSide);
 }
 
-// Renders one tile into the film; returns what its rays cost.
-Counters renderTile(const World& world, const Opacity& opacity, const RenderSettings& settings, size_t tile,
-                    Film& film) {
+struct TileResult {
+    Counters counters;
+    uint64_t pixels = 0;
+    uint64_t pixelsHit = 0;
+};
+
+// Renders one tile into the film.
+TileResult renderTile(const World& world, const Opacity& opacity, const RenderSettings& settings, size_t tile,
+                      Film& film) {
     Walker walker(world, opacity, settings, film.samples);
+    uint64_t pixels = 0;
     forTile(film.width, film.height, tile, [&](uint32_t x, uint32_t y) {
+        ++pixels;
         const RayCounts before = walker.counters().total();
         const Vec3 light = walker.pixel(x, y);
         const RayCounts after = walker.counters().total();
@@ -222,21 +233,24 @@ Counters renderTile(const World& world, const Opacity& opacity, const RenderSett
         film.alphaTests[at] += static_cast<uint32_t>(after.textureFetches - before.textureFetches);
         film.bitsRead[at] += static_cast<uint32_t>(after.bitsRead - before.bitsRead);
     });
-    return walker.counters();
+    return {walker.counters(), pixels, walker.pixelsHit()};
 }
 
 }  // namespace
 
 bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
                const Executor& executor, ProgressSink& progress, Film& film) {
-    std::vector<Counters> counters(tileCount(film.width, film.height));
-    executor.parallelFor(counters.size(), 1, [&](size_t begin, size_t end) {
+    std::vector<TileResult> tiles(tileCount(film.width, film.height));
+    executor.parallelFor(tiles.size(), 1, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end && !progress.cancelled(); ++k) {
-            counters[k] = renderTile(world, opacity, settings, k, film);
-            progress.advance(1);
+            tiles[k] = renderTile(world, opacity, settings, k, film);
+            progress.advance(tiles[k].pixels);
         }
     });
-    for (const Counters& some : counters) film.counters.add(some);
+    for (const TileResult& tile : tiles) {
+        film.counters.add(tile.counters);
+        film.pixelsHit += tile.pixelsHit;
+    }
     ++film.samples;
     return !progress.cancelled();
 }

@@ -52,17 +52,21 @@ struct Film {
     std::vector<uint32_t> alphaTests;  // [width * height], texture fetches of all samples
     std::vector<uint32_t> bitsRead;    // [width * height], by lookups
     Counters counters;
+    uint64_t pixelsHit = 0;  // samples whose first ray met the scene
 
     Film(uint32_t w, uint32_t h)
         : width(w), height(h), sums(size_t{w} * h), alphaTests(size_t{w} * h), bitsRead(size_t{w} * h) {}
 };
 
+// ErrorKind::usage when a side is out of range.
+Status checkSize(uint32_t width, uint32_t height);
+
 // ErrorKind::usage when settings are out of range.
 Status check(const RenderSettings& settings);
 
-// Adds one more sample of every pixel to `film`. The film depends on the world, the opacity's answers, the
-// settings and how many samples it has had, not on the executor. False when cancelled; the film is no use
-// then.
+// Adds one more sample of every pixel to `film`; progress advances by pixels. The film depends on the world,
+// the opacity's answers, the settings and how many samples it has had, not on the executor. False when
+// cancelled; the film is no use then.
 bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
                const Executor& executor, ProgressSink& progress, Film& film);
 

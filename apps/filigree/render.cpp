@@ -1,0 +1,176 @@
+#include "filigree/jobs/render.h"
+
+#include "filigree/report/number.h"
+
+#include "command.h"
+#include "encoded_lines.h"
+#include "text_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace filigree::app {
+namespace {
+
+template <class Number>
+Number parsed(const std::string& text, const std::string& option, const std::string& all) {
+    Number value{};
+    if (!CLI::detail::lexical_cast(text, value)) throw CLI::ConversionError(all, option);
+    return value;
+}
+
+void setSize(jobs::RenderOptions& options, const std::string& text) {
+    const auto sides = CLI::detail::split(text, 'x');
+    if (sides.size() != 2) throw CLI::ConversionError(text, "--size");
+    options.width = parsed<uint32_t>(sides[0], "--size", text);
+    options.height = parsed<uint32_t>(sides[1], "--size", text);
+}
+
+void setCamera(jobs::RenderOptions& options, const std::string& text) {
+    const auto parts = CLI::detail::split(text, ',');
+    if (parts.size() == 1) {
+        options.camera = parsed<unsigned>(text, "--camera", text);
+        return;
+    }
+    std::array<float, 10> numbers{};
+    if (parts.size() != numbers.size()) throw CLI::ConversionError(text, "--camera");
+    std::ranges::transform(parts, numbers.begin(),
+                           [&](const std::string& part) { return parsed<float>(part, "--camera", text); });
+    const auto& n = numbers;
+    options.camera = jobs::OwnCamera{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9]};
+}
+
+void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
+    verb.add_option("--method", options.method,
+                    "none, texture, bitmask, gruen, micromap (the default), tree, indexed-tree, dag or sdag")
+        ->type_name("NAME");
+    const auto setStates = [&options](const std::string& text) {
+        options.states = parsed<unsigned>(text, "--states", text);
+        options.statesGiven = true;
+    };
+    verb.add_option_function<std::string>(
+            "--states", setStates, "4, the default: unknown states ask the texture; 2: their side decides")
+        ->type_name("2|4");
+    const auto setLevel = [&options](const std::string& text) {
+        if (text != "auto") options.level = parsed<unsigned>(text, "--level", text);
+        options.levelGiven = true;
+    };
+    verb.add_option_function<std::string>("--level", setLevel,
+                                          "Bake at this level, or auto: the highest useful one per triangle, "
+                                          "at most 8; without, the file's "
+                                          "own micromaps, auto where it has none")
+        ->type_name("0..12|auto");
+}
+
+void addPicture(CLI::App& verb, jobs::RenderOptions& options) {
+    verb.add_option("--integrator", options.integrator, "primary, shadow, ao (the default) or path")
+        ->type_name("NAME");
+    verb.add_option_function<std::string>(
+            "--size", [&options](const std::string& text) { setSize(options, text); },
+            "Pixels; default 960x540")
+        ->type_name("WxH");
+    verb.add_option("--spp", options.spp, "Samples a pixel; default 16")->type_name("N");
+    verb.add_option("--seed", options.seed, "Of the random numbers; default 1")->type_name("N");
+    verb.add_option_function<std::string>(
+            "--camera", [&options](const std::string& text) { setCamera(options, text); },
+            "Eye, target and up as x,y,z each, then the vertical angle of view in degrees; or the number of "
+            "one of the file's cameras, from 0. Default: the file's first, or a view of the scene")
+        ->type_name("EYE,TARGET,UP,FOV|N");
+    verb.add_option("--bounces", options.bounces, "Of a path; default 3")->type_name("N");
+    verb.add_flag("--defer", options.defer,
+                  "Shadow and AO rays ask the texture only when no known state stops them");
+    verb.add_flag("--two-state-shadows", options.twoStateShadows,
+                  "Shadow and AO rays take the side of unknown states");
+}
+
+void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
+    verb.add_option("--heatmap", options.heatmap, "Draw what each pixel cost to this PNG")->type_name("FILE");
+    const auto setHeat = [&options](const std::string& text) {
+        if (text != "tests" && text != "bits") throw CLI::ConversionError(text, "--heatmap-of");
+        options.heatmapOf = text == "bits" ? jobs::HeatmapOf::bits : jobs::HeatmapOf::tests;
+    };
+    verb.add_option_function<std::string>("--heatmap-of", setHeat,
+                                          "Alpha tests (the default), or bits that lookups read")
+        ->type_name("tests|bits");
+    verb.add_option("--triptych", options.triptych,
+                    "Draw the picture and the alpha tests without and with maps side by side to this PNG")
+        ->type_name("FILE");
+    verb.add_option("--preview", options.previewSeconds,
+                    "Write the picture so far about every so many seconds, between samples")
+        ->type_name("SECONDS");
+}
+
+report::Table rayTable(const jobs::RenderSummary& s) {
+    report::Table table;
+    table.columns = {{"kind", "Rays"},       {"rays", "Count"},      {"candidates", "Candidate hits"},
+                     {"lookups", "Lookups"}, {"unknown", "Unknown"}, {"fetches", "Texture fetches"},
+                     {"per_ray", "per ray"}, {"bits", "Bits/lookup"}};
+    for (size_t k = 0; k < trace::rayKindCount; ++k) {
+        const auto kind = static_cast<trace::RayKind>(k);
+        const trace::RayCounts& c = s.counters[kind];
+        if (c.rays == 0) continue;
+        const auto whole = [](uint64_t n) { return static_cast<int64_t>(n); };
+        const auto share = [](uint64_t n, uint64_t of) -> report::Cell {
+            if (of == 0) return {};
+            return static_cast<double>(n) / static_cast<double>(of);
+        };
+        table.rows.push_back({std::string(nameOf(kind)), whole(c.rays), whole(c.candidateHits),
+                              whole(c.lookups), whole(c.unknown), whole(c.textureFetches),
+                              share(c.textureFetches, c.rays), share(c.bitsRead, c.lookups)});
+    }
+    return table;
+}
+
+std::string comparison(const jobs::RenderSummary& s) {
+    const auto before = static_cast<double>(s.triptych->textureFetches);
+    const auto after = static_cast<double>(s.counters.total().textureFetches);
+    std::string text = before > 0 ? fmt::format("{} of the texture's alpha tests gone, ",
+                                                report::formatShare(1 - after / before))
+                                  : std::string("no alpha tests at all, ");
+    if (s.triptych->identical) return text + "the picture is the same to the bit";
+    return text + fmt::format("the picture differs: PSNR {:.2f} dB", s.triptych->psnr);
+}
+
+void printResult(const jobs::RenderSummary& s) {
+    std::string method = s.method;
+    if (s.states) method += fmt::format(", {} states", *s.states);
+    if (s.hasLevels) method += s.level ? fmt::format(", level {}", *s.level) : ", levels differ";
+    std::vector<std::pair<std::string, std::string>> lines{
+        {"method", method},
+        {"picture", fmt::format("{}, {} x {}, {} samples a pixel", s.integrator, s.width, s.height, s.spp)},
+        {"rays", fmt::format("{:.2f} million a second, {} in {:.2f} s", s.mraysPerSecond(),
+                             report::formatCount(s.counters.total().rays), s.seconds)}};
+    if (s.triptych) lines.emplace_back("saved", comparison(s));
+    lines.emplace_back(
+        "bytes", fmt::format("opacity {}, alpha textures {}, geometry {}, BVH {}", bytesText(s.opacityBytes),
+                             bytesText(s.textureBytes), bytesText(s.geometryBytes), bytesText(s.bvhBytes)));
+    lines.emplace_back("seconds", fmt::format("{:.2f} to the first sample, in all {:.2f}",
+                                              s.firstSampleSeconds, s.totalSeconds));
+    lines.emplace_back("memory", bytesText(s.peakBytes));
+    printPairs(lines);
+    fmt::print("\n");
+    printTable(rayTable(s));
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, Commands& commands) {
+    Command command(app, "render", "Render a scene with any way to test its alpha, and count the tests",
+                    "filigree render forest.glb -o forest.png --method sdag --triptych tests.png");
+    const auto options = std::make_shared<jobs::RenderOptions>();
+    auto& verb = command.options();
+    verb.add_option("input", options->input, "The scene")->required()->type_name("IN");
+    verb.add_option("-o,--output", options->output, "The picture (.png)")->required()->type_name("OUT");
+    addMethod(verb, *options);
+    addPicture(verb, *options);
+    addCosts(verb, *options);
+    command.onRun([command, options] {
+        auto progress = command.progress();
+        return command.finish(jobs::render(*options, *command.executor(), progress), printResult);
+    });
+    commands.push_back(command);
+}
+
+}  // namespace filigree::app

@@ -1,0 +1,96 @@
+// A scene to a picture, with any way to test its alpha, and where the tests went.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/trace/counters.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace filigree::jobs {
+
+// A camera of one's own: world units, and the vertical angle of view in degrees.
+struct OwnCamera {
+    std::array<float, 3> eye{};
+    std::array<float, 3> target{};
+    std::array<float, 3> up{0, 1, 0};
+    float fov = 45;
+};
+
+// Nothing: the file's first camera, or without one a view that trace::overview chooses. A number: that one of
+// the file's cameras, from 0.
+using CameraChoice = std::variant<std::monostate, unsigned, OwnCamera>;
+
+enum class HeatmapOf : uint8_t { tests, bits };
+
+struct RenderOptions {
+    std::filesystem::path input;   // .glb or .gltf
+    std::filesystem::path output;  // .png
+    std::string method = "micromap";
+    unsigned states = 4;            // 4: unknown states fetch the texture; 2: their side decides
+    std::optional<unsigned> level;  // of a bake; none: the highest useful level per triangle, at most 8
+    // `states` and `level` were asked for. Without, a file's own micromaps are taken where it has any.
+    bool statesGiven = false;
+    bool levelGiven = false;
+    std::string integrator = "ao";
+    uint32_t width = 960;  // pixels
+    uint32_t height = 540;
+    unsigned spp = 16;  // samples a pixel, at least 1
+    uint32_t seed = 1;
+    CameraChoice camera;
+    unsigned bounces = 3;
+    bool defer = false;
+    bool twoStateShadows = false;
+    std::filesystem::path heatmap;  // .png; empty: none
+    HeatmapOf heatmapOf = HeatmapOf::tests;
+    std::filesystem::path triptych;  // .png; empty: none
+    double previewSeconds = 0;       // 0: none
+};
+
+// What a picture cost where the texture is asked every time, and how far it differs.
+struct TriptychSummary {
+    uint64_t textureFetches = 0;
+    bool identical = false;
+    double psnr = 0;  // dB over the channels of the 8-bit sRGB pictures; infinite where identical
+};
+
+struct RenderSummary {
+    std::string method;
+    std::optional<unsigned> states;  // none where the method has none
+    bool hasLevels = false;          // of the method
+    std::optional<unsigned> level;   // of all maps; none where they differ
+    std::string integrator;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    unsigned spp = 0;
+    trace::Counters counters;
+    uint64_t opacityBytes = 0;
+    uint64_t textureBytes = 0;
+    uint64_t geometryBytes = 0;
+    uint64_t bvhBytes = 0;
+    uint64_t peakBytes = 0;         // of the process, since it began
+    std::string imageSha256;        // of the picture's RGBA, row by row
+    double firstSampleSeconds = 0;  // from the start to the first ray
+    double seconds = 0;             // of tracing alone
+    double totalSeconds = 0;
+    std::optional<TriptychSummary> triptych;
+    std::vector<std::string> notes;
+
+    [[nodiscard]] double mraysPerSecond() const;
+};
+
+// Reads, prepares, renders and writes. Pictures are written when all are done; previews remain on an error.
+// ErrorKind::usage for options out of range and methods that are not there.
+Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress);
+
+// The machine-readable result: one JSON object.
+std::string toJson(const RenderSummary& summary);
+
+}  // namespace filigree::jobs

@@ -1,0 +1,166 @@
+#include "jobs/heat_map.h"
+
+#include "filigree/report/number.h"
+
+#include "jobs/lettering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+constexpr Colour paper{255, 255, 255};
+constexpr Colour ink{20, 24, 28};
+constexpr uint32_t leastPanel = 360;  // pixels; below it a heat map's pixels are magnified
+
+// From nothing to the scale's end: dark to light, so that it reads without colour, too.
+Colour heatColour(double share) {
+    constexpr std::array<Colour, 7> stops = {{{0, 0, 4},
+                                              {51, 16, 104},
+                                              {129, 32, 116},
+                                              {203, 65, 76},
+                                              {244, 124, 36},
+                                              {250, 190, 60},
+                                              {252, 255, 190}}};
+    const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+    const size_t below = std::min(static_cast<size_t>(at), stops.size() - 2);
+    return mixed(stops[below], stops[below + 1], at - static_cast<double>(below));
+}
+
+// The least of 1, 2, 4 and 8 times a power of ten that is not below `value`, so that quarters are round.
+double roundedUp(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 4.0, 8.0}) {
+        if (factor * power >= value * 0.9999) return factor * power;
+    }
+    return 10 * power;
+}
+
+double scaleEnd(const HeatSource& source) {
+    std::vector<uint32_t> sums(source.sums.begin(), source.sums.end());
+    const auto at = sums.begin() + static_cast<std::ptrdiff_t>((sums.size() - 1) * 999 / 1000);
+    std::nth_element(sums.begin(), at, sums.end());
+    const double most = *at > 0 ? static_cast<double>(*at) / source.samples : source.maximum();
+    return most > 0 ? roundedUp(most) : 1;
+}
+
+// Draws one value a pixel, `zoom` times as large.
+template <class ColourAt>
+void drawPanel(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& size, uint32_t zoom,
+               ColourAt&& colourAt) {
+    for (uint32_t y = 0; y < size.height * zoom; ++y) {
+        for (uint32_t x = 0; x < size.width * zoom; ++x)
+            canvas.set(left + x, top + y, colourAt(size_t{y / zoom} * size.width + x / zoom));
+    }
+}
+
+void drawHeat(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& source, uint32_t zoom,
+              double end) {
+    drawPanel(canvas, left, top, source, zoom,
+              [&](size_t pixel) { return heatColour(source.at(pixel) / end); });
+}
+
+// The bar with its numbers, laid out in shares of the text's size.
+struct Legend {
+    double size = 14;  // pixels, em
+
+    [[nodiscard]] uint32_t height() const { return static_cast<uint32_t>(std::ceil(4.6 * size)); }
+
+    void draw(Canvas& canvas, double left, double top, double width, const std::string& title,
+              double end) const {
+        const double margin = size;
+        drawText(canvas, title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, ink, true);
+        const double bar = std::min(width - 2 * margin, 30 * size);
+        for (double x = 0; x < bar; ++x)
+            canvas.fillRect(left + margin + x, top + 2 * size, 1, size, heatColour(x / bar));
+        for (int quarter = 0; quarter <= 4; ++quarter) {
+            const auto anchor = quarter == 0   ? report::Anchor::start
+                                : quarter == 4 ? report::Anchor::end
+                                               : report::Anchor::middle;
+            drawText(canvas, report::formatCompact(end * quarter / 4),
+                     {left + margin + bar * quarter / 4, top + 4.1 * size}, size, anchor, ink);
+        }
+    }
+};
+
+double textSize(uint32_t width) {
+    return std::clamp(width / 45.0, 13.0, 28.0);
+}
+
+std::string meanAndMaximum(const HeatSource& source) {
+    return fmt::format("mean {}, maximum {}", report::formatCompact(source.mean()),
+                       report::formatCompact(source.maximum()));
+}
+
+std::string withoutCaption(const HeatSource& without) {
+    return fmt::format("texture: {}", meanAndMaximum(without));
+}
+
+std::string withCaption(std::string_view method, const HeatSource& without, const HeatSource& with) {
+    std::string text = fmt::format("{}: {}", method, meanAndMaximum(with));
+    if (without.mean() > 0)
+        text += fmt::format(", {} fewer", report::formatShare(1 - with.mean() / without.mean()));
+    return text;
+}
+
+}  // namespace
+
+double HeatSource::mean() const {
+    double sum = 0;
+    for (const uint32_t count : sums) sum += count;
+    return sums.empty() ? 0 : sum / static_cast<double>(sums.size()) / samples;
+}
+
+double HeatSource::maximum() const {
+    return sums.empty() ? 0 : static_cast<double>(*std::ranges::max_element(sums)) / samples;
+}
+
+Canvas heatMap(const HeatSource& source) {
+    const uint32_t zoom = std::max(1u, (leastPanel + source.width - 1) / source.width);
+    const uint32_t width = source.width * zoom;
+    const uint32_t height = source.height * zoom;
+    const Legend legend{textSize(width)};
+    Canvas canvas(width, height + legend.height(), paper);
+    const double end = scaleEnd(source);
+    drawHeat(canvas, 0, 0, source, zoom, end);
+    legend.draw(canvas, 0, height, width, fmt::format("{}: {}", source.what, meanAndMaximum(source)), end);
+    return canvas;
+}
+
+Canvas triptych(const scene::ColourImage& picture, std::string_view method, const HeatSource& without,
+                const HeatSource& with) {
+    const uint32_t zoom = std::max(1u, (leastPanel + picture.width - 1) / picture.width);
+    const uint32_t width = picture.width * zoom;
+    const uint32_t height = picture.height * zoom;
+    const uint32_t gap = std::max(4u, width / 120);
+    const double size = textSize(width);
+    const Legend legend{size};
+    const auto captions = static_cast<uint32_t>(std::ceil(2.1 * size));
+    Canvas canvas(3 * width + 2 * gap, captions + height + legend.height(), paper);
+    const double end = scaleEnd(without);
+    const auto left = [&](uint32_t panel) { return panel * (width + gap); };
+    const auto caption = [&](uint32_t panel, const std::string& text) {
+        drawText(canvas, text, {left(panel) + 0.3 * size, 1.4 * size}, size, report::Anchor::start, ink,
+                 true);
+    };
+    caption(0, fmt::format("picture, {} x {}", picture.width, picture.height));
+    caption(1, withoutCaption(without));
+    caption(2, withCaption(method, without, with));
+    drawPanel(canvas, left(0), captions, without, zoom, [&](size_t pixel) {
+        const uint8_t* rgba = &picture.rgba[4 * pixel];
+        return Colour{rgba[0], rgba[1], rgba[2]};
+    });
+    drawHeat(canvas, left(1), captions, without, zoom, end);
+    drawHeat(canvas, left(2), captions, with, zoom, end);
+    legend.draw(canvas, left(1), captions + height, width, std::string(without.what), end);
+    return canvas;
+}
+
+}  // namespace filigree::jobs

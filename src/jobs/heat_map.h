@@ -1,0 +1,36 @@
+// Pictures of what pixels cost, with their scale.
+#pragma once
+
+#include "filigree/scene/scene.h"
+
+#include "jobs/canvas.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace filigree::jobs {
+
+// Counts of each pixel, of all its samples together.
+struct HeatSource {
+    std::string_view what;           // "alpha tests a sample"
+    std::span<const uint32_t> sums;  // [width * height]
+    uint32_t width = 0;              // pixels
+    uint32_t height = 0;
+    unsigned samples = 1;
+
+    [[nodiscard]] double at(size_t pixel) const { return static_cast<double>(sums[pixel]) / samples; }
+    [[nodiscard]] double mean() const;
+    [[nodiscard]] double maximum() const;
+};
+
+// The counts a sample in colour, and below them the scale, their mean and maximum. The scale ends where all
+// but a thousandth of the pixels are below.
+Canvas heatMap(const HeatSource& source);
+
+// A picture, and the counts without and with micromaps, side by side on one scale (Waldemarson and Doggett
+// 2024, figure 1). All three have one size.
+Canvas triptych(const scene::ColourImage& picture, std::string_view method, const HeatSource& without,
+                const HeatSource& with);
+
+}  // namespace filigree::jobs

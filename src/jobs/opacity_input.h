@@ -1,0 +1,39 @@
+// What the methods of the room `trace` read of a scene, baked and encoded as each wants it.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/result.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/scene/scene.h"
+#include "filigree/trace/opacity.h"
+#include "filigree/trace/world.h"
+
+#include "jobs/scene_maps.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace filigree::jobs {
+
+// The method of that name. ErrorKind::usage, naming `option`, for one that is not known or planned only.
+Result<trace::Method> findMethod(const std::string& name, std::string_view option);
+
+// What a method takes: a bitmask has no level, the texture neither level nor states.
+bool hasLevels(trace::Method method);
+bool hasStates(trace::Method method);
+
+// A method with the data that it looks into.
+struct OpacityInput {
+    encoding::EncodedSet set;  // empty for methods that read none
+    std::optional<trace::Opacity> opacity;
+    uint64_t bytes = 0;  // resident for lookups: payload, descriptors and the triangles' indices
+};
+
+// Encodes `maps` of the scene behind `world` for `method`. Both must outlive the result, as must `scene`.
+// `states` 2 keeps the sides of the maps' states only.
+Result<OpacityInput> makeOpacity(trace::Method method, unsigned states, const scene::Scene& scene,
+                                 const SceneMaps& maps, const trace::World& world, const Executor& executor);
+
+}  // namespace filigree::jobs

@@ -1,0 +1,338 @@
+#include "filigree/jobs/render.h"
+
+#include "filigree/core/file.h"
+#include "filigree/io/gltf.h"
+#include "filigree/io/image_file.h"
+#include "filigree/trace/render.h"
+
+#include "jobs/heat_map.h"
+#include "jobs/json_text.h"
+#include "jobs/opacity_input.h"
+#include "jobs/peak_memory.h"
+#include "jobs/psnr.h"
+#include "jobs/sha256.h"
+#include "jobs/stopwatch.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+using trace::Method;
+
+Status checkFiles(const RenderOptions& options) {
+    for (const auto& file : {options.output, options.heatmap, options.triptych}) {
+        if (file.empty() || file.extension() == ".png") continue;
+        return Error{
+            ErrorKind::usage,
+            fmt::format("{}: pictures are written as PNG; give a name that ends in .png", file.string())};
+    }
+    return {};
+}
+
+Status checkNumbers(const RenderOptions& options, Method method) {
+    if (options.states != 2 && options.states != 4)
+        return Error{ErrorKind::usage, fmt::format("--states {}: give 2 or 4", options.states)};
+    if (options.level > micromap::maxLevel)
+        return Error{ErrorKind::usage,
+                     fmt::format("--level {}: the highest is {}", *options.level, micromap::maxLevel)};
+    if (options.spp < 1) return Error{ErrorKind::usage, "--spp 0: give at least one sample a pixel"};
+    if (!(options.previewSeconds >= 0)) return Error{ErrorKind::usage, "--preview: give seconds, 0 for none"};
+    if (!options.triptych.empty() && !hasStates(method)) {
+        return Error{ErrorKind::usage,
+                     fmt::format("--triptych compares a method that has maps with texture; {} has none",
+                                 nameOf(method))};
+    }
+    return {};
+}
+
+Result<scene::Camera> ownCamera(const OwnCamera& own) {
+    if (own.eye == own.target) return Error{ErrorKind::usage, "--camera: eye and target are the same point"};
+    return trace::lookAt(own.eye, own.target, own.up, own.fov * std::numbers::pi_v<float> / 180);
+}
+
+Result<scene::Camera> cameraFor(const CameraChoice& choice, const scene::Scene& scene,
+                                const trace::World& world) {
+    if (const auto* own = std::get_if<OwnCamera>(&choice)) return ownCamera(*own);
+    if (const auto* number = std::get_if<unsigned>(&choice)) {
+        if (*number < scene.cameras.size()) return scene.cameras[*number];
+        return Error{ErrorKind::usage, fmt::format("--camera {}: the scene has {} cameras, counted from 0",
+                                                   *number, scene.cameras.size())};
+    }
+    return scene.cameras.empty() ? trace::overview(world) : scene.cameras[0];
+}
+
+// One run of the verb.
+class Rendering {
+  public:
+    Rendering(const RenderOptions& options, Method method, trace::Integrator integrator,
+              const Executor& executor, ProgressSink& progress)
+        : options_(options), method_(method), executor_(executor), progress_(progress) {
+        settings_.width = options.width;
+        settings_.height = options.height;
+        settings_.integrator = integrator;
+        settings_.seed = options.seed;
+        settings_.bounces = options.bounces;
+        settings_.defer = options.defer;
+        settings_.twoStateShadows = options.twoStateShadows;
+    }
+
+    Result<RenderSummary> run() {
+        if (auto read = readScene(); !read) return read.error();
+        if (auto built = buildWorld(); !built) return built.error();
+        auto opacity = prepareOpacity();
+        if (!opacity) return opacity.error();
+        summary_.firstSampleSeconds = total_.seconds();
+        auto film = rendered(*opacity->opacity, !options_.output.empty() && options_.previewSeconds > 0);
+        if (!film) return film.error();
+        if (auto written = writePictures(*film); !written) return written.error();
+        summarise(*film, *opacity);
+        return std::move(summary_);
+    }
+
+  private:
+    // The file's maps serve where they are what was asked for.
+    [[nodiscard]] bool takesCarriedMaps() const { return hasLevels(method_) && !options_.levelGiven; }
+
+    Status readScene() {
+        const auto document = io::GltfDocument::load(options_.input);
+        if (!document) return document.error();
+        io::ReadOptions reading;
+        reading.blendAlpha = true;
+        reading.colour = true;
+        reading.micromaps = takesCarriedMaps();
+        auto scene = io::readScene(*document, reading);
+        if (!scene) return scene.error();
+        scene_ = std::move(*scene);
+        addNotes(scene_.notes);
+        return {};
+    }
+
+    Status buildWorld() {
+        auto world = trace::World::build(scene_, {});
+        if (!world) return world.error().within(options_.input.string());
+        world_.emplace(std::move(*world));
+        addNotes(world_->notes());
+        if (world_->triangleCount() == 0) note("the scene has no triangles; the picture shows the sky alone");
+        auto camera = cameraFor(options_.camera, scene_, *world_);
+        if (!camera) return camera.error();
+        settings_.camera = std::move(*camera);
+        return check(settings_);
+    }
+
+    Result<OpacityInput> prepareOpacity() {
+        if (hasStates(method_)) {
+            auto maps = mapsOf();
+            if (!maps) return maps.error().within(options_.input.string());
+            maps_ = std::move(*maps);
+        }
+        noteIgnored();
+        return makeOpacity(method_, states_, scene_, maps_, *world_, executor_);
+    }
+
+    Result<SceneMaps> mapsOf() {
+        states_ = options_.states;
+        if (!scene_.micromaps.empty()) {
+            SceneMaps maps = carriedMaps(scene_);
+            if (fits(maps)) return maps;
+            note("the file's micromaps have 2 states; --states 4 bakes others");
+        }
+        BakeParameters parameters;
+        parameters.states = options_.states;
+        parameters.level = method_ == Method::bitmask ? 0 : options_.level;
+        parameters.includeBlend = true;
+        auto maps = bakeMaps(scene_, parameters, executor_, progress_);
+        if (maps) addNotes(maps->notes);
+        return maps;
+    }
+
+    // 4-state maps have the sides that 2 states want; the way back there is none.
+    bool fits(SceneMaps& maps) {
+        const bool twoState = maps.format == micromap::Format::twoState;
+        if (twoState && options_.statesGiven && options_.states == 4) return false;
+        if (twoState) states_ = 2;
+        if (states_ == 2) maps.format = micromap::Format::twoState;
+        return true;
+    }
+
+    void noteIgnored() {
+        if (options_.levelGiven && !hasLevels(method_))
+            note(fmt::format("--level is ignored: {} has no levels", nameOf(method_)));
+        if (options_.statesGiven && !hasStates(method_))
+            note(fmt::format("--states is ignored: {} has no states", nameOf(method_)));
+    }
+
+    Result<trace::Film> rendered(const trace::Opacity& opacity, bool previews) {
+        trace::Film film(options_.width, options_.height);
+        const Stopwatch watch;
+        double next = options_.previewSeconds;
+        progress_.begin(nameOf(opacity.method()), uint64_t{options_.spp} * film.sums.size(), "pixels");
+        for (unsigned k = 0; k < options_.spp; ++k) {
+            if (!addSample(*world_, opacity, settings_, executor_, progress_, film)) break;
+            if (!previews || watch.seconds() < next || k + 1 == options_.spp) continue;
+            if (auto written = writePng(options_.output, developed(film)); !written) return written.error();
+            next = watch.seconds() + options_.previewSeconds;
+        }
+        progress_.end();
+        if (progress_.cancelled()) return Error{ErrorKind::cancelled, "stopped while rendering"};
+        if (summary_.seconds == 0) summary_.seconds = watch.seconds();
+        return film;
+    }
+
+    static Status writePng(const std::filesystem::path& file, const scene::ColourImage& image) {
+        const auto png = io::encodePng(image);
+        if (!png) return png.error().within(file.string());
+        return writeFile(file, *png);
+    }
+
+    static Status writeCanvas(const std::filesystem::path& file, const Canvas& canvas) {
+        const auto png = canvas.png();
+        if (!png) return png.error().within(file.string());
+        return writeFile(file, *png);
+    }
+
+    Status writePictures(const trace::Film& film) {
+        const scene::ColourImage picture = developed(film);
+        summary_.imageSha256 = sha256(picture.rgba);
+        if (film.pixelsHit == 0) note("the camera sees nothing of the scene");
+        if (!options_.triptych.empty()) {
+            if (auto written = writeTriptych(film, picture); !written) return written;
+        }
+        if (!options_.heatmap.empty()) {
+            const HeatSource source = heatSource(film);
+            if (auto written = writeCanvas(options_.heatmap, heatMap(source)); !written) return written;
+        }
+        return writePng(options_.output, picture);
+    }
+
+    [[nodiscard]] HeatSource heatSource(const trace::Film& film) const {
+        const bool bits = options_.heatmapOf == HeatmapOf::bits;
+        return {bits ? "bits read a sample" : "alpha tests a sample",
+                bits ? std::span(film.bitsRead) : std::span(film.alphaTests), film.width, film.height,
+                film.samples};
+    }
+
+    // The same picture once more by the texture alone, which the maps must not change.
+    Status writeTriptych(const trace::Film& film, const scene::ColourImage& picture) {
+        const auto reference = trace::Opacity::make(Method::texture, 4, *world_, encoding::EncodedView{}, {});
+        if (!reference) return reference.error();
+        const auto without = rendered(*reference, false);
+        if (!without) return without.error();
+        const scene::ColourImage expected = developed(*without);
+        summary_.triptych = TriptychSummary{without->counters.total().textureFetches,
+                                            expected.rgba == picture.rgba, psnr(expected, picture)};
+        const Canvas canvas =
+            triptych(picture, nameOf(method_),
+                     {"alpha tests a sample", without->alphaTests, film.width, film.height, film.samples},
+                     {"alpha tests a sample", film.alphaTests, film.width, film.height, film.samples});
+        return writeCanvas(options_.triptych, canvas);
+    }
+
+    void summarise(const trace::Film& film, const OpacityInput& opacity) {
+        summary_.method = nameOf(method_);
+        if (hasStates(method_)) summary_.states = states_;
+        summary_.hasLevels = hasLevels(method_);
+        summary_.level = maps_.level;
+        summary_.integrator = options_.integrator;
+        summary_.width = film.width;
+        summary_.height = film.height;
+        summary_.spp = film.samples;
+        summary_.counters = film.counters;
+        const trace::World::Bytes bytes = world_->bytes();
+        summary_.opacityBytes = opacity.bytes;
+        summary_.textureBytes = bytes.textures;
+        summary_.geometryBytes = bytes.geometry;
+        summary_.bvhBytes = bytes.bvh;
+        summary_.peakBytes = peakMemory();
+        summary_.totalSeconds = total_.seconds();
+    }
+
+    void note(std::string text) { summary_.notes.push_back(std::move(text)); }
+    void addNotes(const std::vector<std::string>& notes) {
+        summary_.notes.insert(summary_.notes.end(), notes.begin(), notes.end());
+    }
+
+    const RenderOptions& options_;
+    const Method method_;
+    const Executor& executor_;
+    ProgressSink& progress_;
+    const Stopwatch total_;
+    trace::RenderSettings settings_;
+    unsigned states_ = 4;
+    scene::Scene scene_;
+    std::optional<trace::World> world_;  // of scene_
+    SceneMaps maps_;
+    RenderSummary summary_;
+};
+
+Json countsJson(const trace::RayCounts& counts) {
+    return {{"rays", counts.rays},
+            {"candidate_hits", counts.candidateHits},
+            {"lookups", counts.lookups},
+            {"unknown", counts.unknown},
+            {"texture_fetches", counts.textureFetches},
+            {"bits_read", counts.bitsRead}};
+}
+
+Json levelJson(const RenderSummary& s) {
+    if (!s.hasLevels) return nullptr;
+    return s.level ? Json(*s.level) : Json("auto");
+}
+
+}  // namespace
+
+double RenderSummary::mraysPerSecond() const {
+    return seconds > 0 ? static_cast<double>(counters.total().rays) / seconds * 1e-6 : 0;
+}
+
+Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress) {
+    if (auto checked = checkFiles(options); !checked) return checked.error();
+    const auto method = findMethod(options.method, "--method");
+    if (!method) return method.error();
+    const auto integrator = trace::integratorNamed(options.integrator);
+    if (!integrator) {
+        return Error{ErrorKind::usage, fmt::format("--integrator {}: choose one of primary, shadow, ao, path",
+                                                   options.integrator)};
+    }
+    if (auto checked = checkNumbers(options, *method); !checked) return checked.error();
+    if (auto checked = trace::checkSize(options.width, options.height); !checked) return checked.error();
+    return Rendering(options, *method, *integrator, executor, progress).run();
+}
+
+std::string toJson(const RenderSummary& s) {
+    Json json{{"method", s.method},    {"states", s.states ? Json(*s.states) : Json(nullptr)},
+              {"level", levelJson(s)}, {"integrator", s.integrator},
+              {"width", s.width},      {"height", s.height},
+              {"spp", s.spp},          {"seconds", s.seconds}};
+    Json counts = countsJson(s.counters.total());
+    json["rays"] = counts["rays"];
+    json["mrays_per_second"] = s.mraysPerSecond();
+    counts.erase("rays");
+    json.update(counts);
+    json["bytes"] = {{"opacity", s.opacityBytes},
+                     {"textures", s.textureBytes},
+                     {"geometry", s.geometryBytes},
+                     {"bvh", s.bvhBytes}};
+    json["image_sha256"] = s.imageSha256;
+    json["ray_kinds"] = Json::object();
+    for (size_t k = 0; k < trace::rayKindCount; ++k) {
+        const auto kind = static_cast<trace::RayKind>(k);
+        if (s.counters[kind].rays > 0)
+            json["ray_kinds"][std::string(nameOf(kind))] = countsJson(s.counters[kind]);
+    }
+    if (s.triptych) {
+        json["triptych"] = {{"texture_fetches_without", s.triptych->textureFetches},
+                            {"identical", s.triptych->identical},
+                            {"psnr", s.triptych->identical ? Json(nullptr) : Json(s.triptych->psnr)}};
+    }
+    json["first_sample_seconds"] = s.firstSampleSeconds;
+    json["total_seconds"] = s.totalSeconds;
+    json["peak_bytes"] = s.peakBytes;
+    return dump(json);
+}
+
+}  // namespace filigree::jobs
