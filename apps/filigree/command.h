@@ -83,5 +83,6 @@ void addBenchEncode(CLI::App& bench, Commands& commands);
 void addBenchLookup(CLI::App& bench, Commands& commands);
 void addRender(CLI::App& app, Commands& commands);
 void addDemo(CLI::App& app, Commands& commands);
+void addVq(CLI::App& app, Commands& commands);
 
 }  // namespace filigree::app

@@ -14,7 +14,7 @@ namespace {
 
 // The verbs that are planned but not there yet: they say so and are wrong usage.
 void addLater(CLI::App& app, Commands& commands) {
-    for (const char* name : {"vq", "grids"}) {
+    for (const char* name : {"grids"}) {
         Command command(app, name, "Not in this version", fmt::format("filigree {} --help", name));
         command.options().group("")->allow_extras();
         command.onRun([name] {
@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
     addCompare(app, commands);
     addValidate(app, commands);
     addInspect(app, commands);
+    addVq(app, commands);
     addBench(app, commands);
     addRender(app, commands);
     addDemo(app, commands);

@@ -21,20 +21,6 @@ namespace {
 // Pages larger than this are slow to open; further pictures stand beside them only.
 constexpr size_t mostEmbedded = 24'000'000;  // bytes of PNG
 
-// A file name of plain characters.
-std::string plainName(const std::string& name) {
-    std::string plain;
-    for (const char c : name) {
-        const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
-        if (kept) {
-            plain += c;
-        } else if (!plain.empty() && plain.back() != '-') {
-            plain += '-';
-        }
-    }
-    return plain.substr(0, 40);
-}
-
 // One texture on its way to a figure.
 struct Sheet {
     TextureGroup group;
@@ -155,6 +141,19 @@ Result<report::Section> chartSection(const std::vector<InspectedTexture>& textur
 }
 
 }  // namespace
+
+std::string plainName(const std::string& name) {
+    std::string plain;
+    for (const char c : name) {
+        const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z');
+        if (kept) {
+            plain += c;
+        } else if (!plain.empty() && plain.back() != '-') {
+            plain += '-';
+        }
+    }
+    return plain.substr(0, 40);
+}
 
 Result<Inspection> inspectScene(const scene::Scene& scene, const std::filesystem::path& folder,
                                 const std::string& command, const Executor& executor,

@@ -34,6 +34,9 @@ Result<report::Picture> writePicture(const std::filesystem::path& folder, const 
                                      std::vector<uint8_t> png, uint32_t width, uint32_t height,
                                      std::string alt);
 
+// A file name of plain characters.
+std::string plainName(const std::string& name);
+
 // A command line for people to copy: words with more than plain characters stand in single quotes.
 std::string shellCommand(std::span<const std::string> words);
 

@@ -5,7 +5,7 @@ import unittest
 from asset import leaf
 from program import CliTest
 
-VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["bench", "bake"], ["bench", "lookup"],
+VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["vq"], ["bench", "bake"], ["bench", "lookup"],
          ["bench", "encode"], ["demo"])
 
 

@@ -1,0 +1,43 @@
+// The masked triangles of a scene as pairs, by alpha source.
+#pragma once
+
+#include "filigree/mesh/pairing.h"
+#include "filigree/quadmap/squares.h"
+#include "filigree/scene/scene.h"
+
+#include "jobs/alpha_source.h"
+
+#include <optional>
+#include <vector>
+
+namespace filigree::jobs {
+
+// Two triangles, or one, in the order of their square (quadmap/place.h).
+struct SquarePair {
+    quadmap::HalfTriangle first;
+    std::optional<quadmap::HalfTriangle> second;
+};
+
+// A primitive and the pairs of its triangles.
+struct PairedPrimitive {
+    const scene::Primitive* primitive = nullptr;
+    std::vector<mesh::TrianglePair> pairs;
+};
+
+// The primitives of one alpha source.
+struct PairGroup {
+    AlphaSource source;
+    std::vector<PairedPrimitive> primitives;
+};
+
+// The primitives of MASK materials, in scene order by alpha source. `cutoff` replaces the materials' own.
+// They look into `scene`.
+std::vector<PairGroup> pairGroups(const scene::Scene& scene, std::optional<double> cutoff, double guard);
+
+// The triangles of a pair, as its square wants them.
+SquarePair squarePair(const scene::Primitive& primitive, const mesh::TrianglePair& pair);
+
+// Each kind of pair once, in the order of first use: equal coordinates and vertex alphas, bit for bit.
+std::vector<SquarePair> distinctPairs(const PairGroup& group);
+
+}  // namespace filigree::jobs
