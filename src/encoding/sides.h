@@ -1,4 +1,4 @@
-// Micromaps without their unknown bits.
+// Micromaps with other states in the place of their own.
 #pragma once
 
 #include "filigree/micromap/quadtree.h"
@@ -6,19 +6,28 @@
 
 namespace filigree::encoding {
 
-inline int copySides(BitReader& from, unsigned height, BitWriter& to) {
+template <class NewState>
+int copyRestated(BitReader& from, unsigned height, const NewState& newState, BitWriter& to) {
     if (height == 0 || !from.takeBit()) {
-        return micromap::appendLeaf(to, height, static_cast<int>(from.take(2) & 1));
+        const auto state = newState(static_cast<micromap::State>(from.take(2)));
+        return micromap::appendLeaf(to, height, static_cast<int>(state));
     }
-    return micromap::appendInner(to, height, [&](unsigned) { return copySides(from, height - 1, to); });
+    return micromap::appendInner(to, height,
+                                 [&](unsigned) { return copyRestated(from, height - 1, newState, to); });
+}
+
+// `tree` with each state `s` as newState(s).
+template <class NewState>
+micromap::Quadtree restated(const micromap::QuadtreeView& tree, const NewState& newState) {
+    BitReader from(tree.words, tree.bits);
+    BitWriter to;
+    copyRestated(from, tree.level, newState, to);
+    return {std::move(to), tree.level};
 }
 
 // `tree` with each state its opaque side, transparent or opaque: what 2-state keeps.
 inline micromap::Quadtree sidesOf(const micromap::QuadtreeView& tree) {
-    BitReader from(tree.words, tree.bits);
-    BitWriter to;
-    copySides(from, tree.level, to);
-    return {std::move(to), tree.level};
+    return restated(tree, [](micromap::State s) { return micromap::knownOf(micromap::isOpaqueSide(s)); });
 }
 
 }  // namespace filigree::encoding
