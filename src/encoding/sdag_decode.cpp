@@ -10,19 +10,7 @@ namespace filigree::encoding {
 
 using micromap::State;
 
-namespace {
-
 using namespace sdag;
-
-// A part of a map at an even height, in the stored frame.
-struct MapPart {
-    enum class Kind : uint8_t { uniform, node, leaf, pattern };
-    Kind kind = Kind::uniform;
-    uint32_t value = 0;              // the state, the node's number, or the pattern
-    const uint8_t* bytes = nullptr;  // of a leaf
-};
-
-}  // namespace
 
 // Steps from part to part with the reader's own pieces.
 class SdagWalk {
@@ -73,6 +61,13 @@ class SdagWalk {
     }
 
   private:
+    // A part of a map at an even height, in the stored frame.
+    struct MapPart {
+        enum class Kind : uint8_t { uniform, node, leaf, pattern };
+        Kind kind = Kind::uniform;
+        uint32_t value = 0;              // the state, the node's number, or the pattern
+        const uint8_t* bytes = nullptr;  // of a leaf
+    };
     struct Begin {
         MapPart part;
         unsigned height = 0;
