@@ -20,20 +20,6 @@ unsigned parseUnsigned(const std::string& name, const std::string& text) {
     return value;
 }
 
-// "4096", "64K", "10M", "1G".
-uint64_t parseBytes(const std::string& name, const std::string& text) {
-    uint64_t count = 0;
-    const char* const end = text.data() + text.size();
-    const auto [unit, error] = std::from_chars(text.data(), end, count);
-    static constexpr std::array<std::string_view, 4> units{"", "K", "M", "G"};
-    const auto found = std::find(units.begin(), units.end(), std::string_view(unit, end));
-    const auto shift = static_cast<unsigned>(10 * (found - units.begin()));
-    if (error != std::errc{} || found == units.end() || count > (UINT64_MAX >> shift)) {
-        throw CLI::ConversionError(text, name);
-    }
-    return count << shift;
-}
-
 void addStatesAndLevels(CLI::App& verb, jobs::BakeParameters& p) {
     verb.add_option("--states", p.states, "States of a micro-triangle; default 4")->type_name("2|4");
     const auto setLevel = [&p](const std::string& text) {
@@ -76,6 +62,19 @@ void checkWhenParsed(CLI::App& verb, const jobs::BakeParameters& p) {
 }
 
 }  // namespace
+
+uint64_t parseBytes(const std::string& name, const std::string& text) {
+    uint64_t count = 0;
+    const char* const end = text.data() + text.size();
+    const auto [unit, error] = std::from_chars(text.data(), end, count);
+    static constexpr std::array<std::string_view, 4> units{"", "K", "M", "G"};
+    const auto found = std::find(units.begin(), units.end(), std::string_view(unit, end));
+    const auto shift = static_cast<unsigned>(10 * (found - units.begin()));
+    if (error != std::errc{} || found == units.end() || count > (UINT64_MAX >> shift)) {
+        throw CLI::ConversionError(text, name);
+    }
+    return count << shift;
+}
 
 void addBakeOptions(CLI::App& verb, jobs::BakeParameters& p) {
     addStatesAndLevels(verb, p);

@@ -14,6 +14,9 @@ void addBakeOptions(CLI::App& verb, jobs::BakeParameters& parameters);
 // The same without a budget and rotation, which encodings of micromaps do not take.
 void addMapOptions(CLI::App& verb, jobs::BakeParameters& parameters);
 
+// "4096", "64K", "10M", "1G" as the value of option `name`; anything else is wrong usage.
+uint64_t parseBytes(const std::string& name, const std::string& text);
+
 // True when any of them was given.
 bool hasMapOptions(const CLI::App& verb);
 

@@ -5,6 +5,7 @@
 
 #include "jobs/encode_scene.h"
 #include "jobs/encoded_json.h"
+#include "jobs/loss.h"
 #include "jobs/peak_memory.h"
 #include "jobs/stopwatch.h"
 
@@ -60,13 +61,32 @@ io::FilMeta metaOf(const SceneMaps& maps, io::FilAsset asset) {
     return meta;
 }
 
-Status write(const CompressOptions& options, const SceneMaps& maps, const encoding::EncodedSet& set,
+// Encodes the maps, with the loss that is allowed; `maps` are what is left then.
+Result<OneBitSet> encodeAll(const CompressOptions& options, const scene::Scene& scene, SceneMaps& maps,
+                            const LossyTarget& target, const Executor& executor, ProgressSink& progress,
+                            CompressSummary& summary) {
+    if (options.loss.oneBit) {
+        LossyTarget sides = target;
+        sides.options.maybeOpaque = false;  // the pairs say what a bit means
+        return encodeOneBit(scene, maps, sides, executor, summary.oneBit.emplace());
+    }
+    auto set =
+        options.loss.isLossy()
+            ? encodeWithLoss(scene, maps, target, options.loss, executor, progress, summary.lossy.emplace())
+            : encodeMaps(scene, maps, target.encoding, target.format, executor, target.options.aggregates);
+    if (!set) return set.error();
+    return OneBitSet{std::move(*set), {}};
+}
+
+Status write(const CompressOptions& options, const SceneMaps& maps, const OneBitSet& encoded,
              io::FilAsset asset, CompressSummary& summary) {
+    const encoding::EncodedSet& set = encoded.set;
     const std::vector<int32_t> indices = allIndices(maps);
     io::FilContents contents;
     contents.meta = metaOf(maps, std::move(asset));
     contents.set = encoding::viewOf(set);
     contents.indices = indices;
+    contents.pairs = encoded.pairs;
     summary.size = sizeOf(contents.set, maps.level);
     summary.indexBytes = io::filIndexBytes(set.encoding, set.mapCount, indices.size());
     auto bytes = io::writeFil(options.output, contents, options.zstd);
@@ -82,6 +102,9 @@ Result<CompressSummary> compress(const CompressOptions& options, const Executor&
     if (auto checked = check(options.parameters); !checked) return checked.error();
     const auto encoding = findEncoding(options.encoding);
     if (!encoding) return encoding.error();
+    if (auto checked = check(options.loss, *encoding); !checked) return checked.error();
+    if (options.aggregates && *encoding != encoding::Encoding::sdag)
+        return Error{ErrorKind::usage, "--aggregates: is for sdag; dag always has them"};
     const Stopwatch total;
     CompressSummary summary;
     auto asset = io::identifyAsset(options.input);
@@ -100,18 +123,52 @@ Result<CompressSummary> compress(const CompressOptions& options, const Executor&
     summary.bakeSeconds = baking.seconds();
 
     const Stopwatch encodingWatch;
-    const auto set = encodeMaps(*scene, *maps, *encoding, formatFor(*maps, options, summary.baked), executor);
-    if (!set) return set.error().within(options.input.string());
+    const micromap::Format format = formatFor(*maps, options, summary.baked);
+    const LossyTarget target{*encoding, format, encodeOptions(*maps, format, options.aggregates)};
+    const auto encoded = encodeAll(options, *scene, *maps, target, executor, progress, summary);
+    if (!encoded && encoded.error().kind == ErrorKind::usage) return encoded.error();
+    if (!encoded) return encoded.error().within(options.input.string());
     summary.encodeSeconds = encodingWatch.seconds();
 
     const Stopwatch writing;
-    if (auto written = write(options, *maps, *set, std::move(*asset), summary); !written)
+    if (auto written = write(options, *maps, *encoded, std::move(*asset), summary); !written)
         return written.error();
     summary.writeSeconds = writing.seconds();
     summary.totalSeconds = total.seconds();
     summary.peakBytes = peakMemory();
     return summary;
 }
+
+namespace {
+
+Json pointJson(const RatePoint& point, unsigned states) {
+    Json json{{"bytes", point.bytes}, {states == 4 ? "extra_anyhit" : "changed_area", point.loss}};
+    if (states == 4) json["known_share"] = point.knownShare;
+    return json;
+}
+
+void addLoss(const CompressSummary& s, Json& json) {
+    if (s.lossy) {
+        json["lossy"] = pointJson(s.lossy->chosen, s.lossy->states);
+        json["curve"] = Json::array();
+        for (const RatePoint& point : s.lossy->curve)
+            json["curve"].push_back(pointJson(point, s.lossy->states));
+    }
+    if (s.oneBit) {
+        json["one_bit"] = {{"bytes", s.oneBit->bytes},
+                           {"pair_bytes", s.oneBit->pairBytes},
+                           {"maps",
+                            {{"transparent_opaque", s.oneBit->maps[0]},
+                             {"transparent_unknown", s.oneBit->maps[1]},
+                             {"unknown_opaque", s.oneBit->maps[2]}}},
+                           {"known_share", s.oneBit->knownShare},
+                           {"two_state_bytes", s.oneBit->twoStateBytes},
+                           {"four_state_bytes", s.oneBit->fourStateBytes},
+                           {"four_state_known_share", s.oneBit->fourStateKnownShare}};
+    }
+}
+
+}  // namespace
 
 std::string toJson(const CompressSummary& s) {
     Json json = encodedJson(s.size, s.totalSeconds, s.peakBytes);
@@ -123,6 +180,7 @@ std::string toJson(const CompressSummary& s) {
                              {"bake", s.bakeSeconds},
                              {"encode", s.encodeSeconds},
                              {"write", s.writeSeconds}};
+    addLoss(s, json);
     return dump(json);
 }
 

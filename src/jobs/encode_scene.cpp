@@ -1,7 +1,6 @@
 #include "jobs/encode_scene.h"
 
 #include "filigree/encoding/bitmask.h"
-#include "filigree/encoding/encode.h"
 
 #include <algorithm>
 #include <cassert>
@@ -45,14 +44,20 @@ BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters paramet
 
 Result<encoding::EncodedSet> encodeMaps(const scene::Scene& scene, const SceneMaps& maps,
                                         encoding::Encoding encoding, micromap::Format format,
-                                        const Executor& executor) {
-    encoding::EncodeOptions options;
-    options.maybeOpaque = maps.format == micromap::Format::fourState && format == micromap::Format::twoState;
+                                        const Executor& executor, bool aggregates) {
     auto set = encoding == encoding::Encoding::bitmask
                    ? encodeTextures(scene, maps, format, executor)
-                   : encoding::encode(encoding, maps.views(), format, options, executor);
+                   : encoding::encode(encoding, maps.views(), format, encodeOptions(maps, format, aggregates),
+                                      executor);
     if (!set) return set.error().within(std::string(encoding::nameOf(encoding)));
     return set;
+}
+
+encoding::EncodeOptions encodeOptions(const SceneMaps& maps, micromap::Format format, bool aggregates) {
+    encoding::EncodeOptions options;
+    options.aggregates = aggregates;
+    options.maybeOpaque = maps.format == micromap::Format::fourState && format == micromap::Format::twoState;
+    return options;
 }
 
 uint64_t vertexAlphaTriangles(const SceneMaps& maps) {

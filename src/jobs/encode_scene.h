@@ -4,6 +4,7 @@
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
+#include "filigree/encoding/encode.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/jobs/bake.h"
 #include "filigree/jobs/encoded_size.h"
@@ -25,10 +26,13 @@ BakeParameters parametersFor(encoding::Encoding encoding, BakeParameters paramet
 
 // Encodes maps that were baked from `scene` in `format`. 2-state gruen masks of 4-state maps are conservative
 // (docs/spec/gruen.md). Encoding::bitmask takes the alpha textures of the groups, one for each, instead of
-// the maps.
+// the maps. `aggregates` as in encoding::EncodeOptions.
 Result<encoding::EncodedSet> encodeMaps(const scene::Scene& scene, const SceneMaps& maps,
                                         encoding::Encoding encoding, micromap::Format format,
-                                        const Executor& executor);
+                                        const Executor& executor, bool aggregates = false);
+
+// How encodeMaps encodes micromaps.
+encoding::EncodeOptions encodeOptions(const SceneMaps& maps, micromap::Format format, bool aggregates);
 
 // Triangles whose vertices have an alpha of their own, which no texture can hold.
 uint64_t vertexAlphaTriangles(const SceneMaps& maps);

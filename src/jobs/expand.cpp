@@ -2,6 +2,7 @@
 
 #include "filigree/encoding/gruen.h"
 #include "filigree/encoding/map_reader.h"
+#include "filigree/encoding/one_bit.h"
 #include "filigree/io/fil.h"
 #include "filigree/io/gltf.h"
 #include "filigree/micromap/set.h"
@@ -13,6 +14,8 @@
 #include "jobs/stopwatch.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -55,6 +58,33 @@ Status checkPrimitives(const io::GltfDocument& document, const io::FilMeta& meta
     return {};
 }
 
+// The maps of a file, whatever they are stored as.
+class StoredMaps {
+  public:
+    static Result<StoredMaps> open(const io::FilFile& file) {
+        StoredMaps maps;
+        auto reader = encoding::openReader(file.set());
+        if (!reader) return reader.error();
+        maps.reader_ = std::move(*reader);
+        if (file.pairs().empty()) return maps;
+        const auto pairs = encoding::PairReader::open(file.set(), file.pairs());
+        if (!pairs) return pairs.error();
+        maps.pairs_ = *pairs;
+        return maps;
+    }
+
+    [[nodiscard]] size_t count() const { return reader_->mapCount(); }
+    [[nodiscard]] bool hasPairs() const { return pairs_.has_value(); }
+    [[nodiscard]] micromap::Quadtree decode(uint32_t map) const {
+        micromap::Quadtree stored = reader_->decode(map);
+        return pairs_ ? encoding::fromPair(stored.view(), (*pairs_)[map]) : std::move(stored);
+    }
+
+  private:
+    std::unique_ptr<encoding::MapReader> reader_;
+    std::optional<encoding::PairReader> pairs_;
+};
+
 // The format to make flat: the set's own, but 4-state for masks of what may be opaque.
 Result<micromap::Format> flatFormat(const encoding::EncodedView& set) {
     if (set.encoding != encoding::Encoding::gruen) return set.format;
@@ -66,8 +96,8 @@ Result<micromap::Format> flatFormat(const encoding::EncodedView& set) {
 // The primitives of one group with indices into the group's own maps, in the order of first use.
 class GroupMaps {
   public:
-    GroupMaps(const encoding::MapReader& reader, micromap::Format format)
-        : reader_(reader), places_(reader.mapCount(), -1) {
+    GroupMaps(const StoredMaps& stored, micromap::Format format)
+        : stored_(stored), places_(stored.count(), -1) {
         set_.format = format;
     }
 
@@ -78,7 +108,7 @@ class GroupMaps {
             int32_t& place = places_[static_cast<size_t>(index)];
             if (place < 0) {
                 place = static_cast<int32_t>(set_.trees.size());
-                set_.trees.push(reader_.decode(static_cast<uint32_t>(index)).view());
+                set_.trees.push(stored_.decode(static_cast<uint32_t>(index)).view());
             }
             index = place;
         }
@@ -91,7 +121,7 @@ class GroupMaps {
     }
 
   private:
-    const encoding::MapReader& reader_;
+    const StoredMaps& stored_;
     std::vector<int32_t> places_;
     micromap::TreeSet set_;
 };
@@ -114,9 +144,10 @@ std::vector<std::vector<int32_t>> indicesOf(const io::FilFile& file) {
 }
 
 Result<Expanded> expandAll(const io::FilFile& file, const Executor& executor, ProgressSink& progress) {
-    const auto reader = encoding::openReader(file.set());
-    if (!reader) return reader.error();
-    const auto format = flatFormat(file.set());
+    const auto stored = StoredMaps::open(file);
+    if (!stored) return stored.error();
+    const auto format =
+        stored->hasPairs() ? Result<micromap::Format>(micromap::Format::fourState) : flatFormat(file.set());
     if (!format) return format.error();
     const io::FilMeta& meta = file.meta();
     Expanded expanded;
@@ -124,7 +155,7 @@ Result<Expanded> expandAll(const io::FilFile& file, const Executor& executor, Pr
     progress.begin("expand", meta.groups.size(), "textures");
     for (size_t g = 0; g < meta.groups.size(); ++g) {
         if (progress.cancelled()) return Error{ErrorKind::cancelled, "the expansion was cancelled"};
-        GroupMaps maps(**reader, *format);
+        GroupMaps maps(*stored, *format);
         for (size_t p = 0; p < meta.primitives.size(); ++p) {
             if (meta.primitives[p].group == g) maps.add(expanded.indices[p]);
         }
@@ -153,7 +184,12 @@ io::MicromapOutput outputOf(const io::FilMeta& meta, const Expanded& expanded) {
     return output;
 }
 
-void noteLoss(const encoding::EncodedView& set, ExpandSummary& summary) {
+void noteLoss(const io::FilFile& file, ExpandSummary& summary) {
+    const encoding::EncodedView& set = file.set();
+    if (!file.pairs().empty()) {
+        summary.notes.emplace_back("one bit: known states outside a map's pair have become unknown");
+        return;
+    }
     if (set.encoding != encoding::Encoding::gruen) return;
     summary.notes.emplace_back(set.format == micromap::Format::twoState
                                    ? "gruen: masks of what may be opaque become unknown-opaque states"
@@ -183,7 +219,7 @@ Result<ExpandSummary> expand(const ExpandOptions& options, const Executor& execu
     ExpandSummary summary;
     summary.size = sizeOf(set, file->meta().level);
     for (const auto& flat : expanded->sets) summary.dataBytes += flat.data.size();
-    noteLoss(set, summary);
+    noteLoss(*file, summary);
     summary.totalSeconds = total.seconds();
     summary.peakBytes = peakMemory();
     return summary;

@@ -2,6 +2,7 @@
 
 #include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/map_reader.h"
+#include "filigree/encoding/one_bit.h"
 #include "filigree/io/api_blob.h"
 #include "filigree/io/fil.h"
 #include "filigree/io/gltf.h"
@@ -62,6 +63,10 @@ Status validateFil(const ValidateOptions& options, ValidateSummary& summary) {
     }
     const auto reader = encoding::openReader(set);
     if (!reader) return refused(reader.error(), name, "fil-set", summary);
+    if (!file->pairs().empty()) {
+        const auto pairs = encoding::PairReader::open(set, file->pairs());
+        if (!pairs) return refused(pairs.error(), name, "fil-set", summary);
+    }
     const auto level = file->meta().level;
     for (uint32_t map = 0; level && map < set.mapCount; ++map) {
         if ((*reader)->level(map) == *level) continue;

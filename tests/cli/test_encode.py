@@ -144,6 +144,85 @@ class Encode(CliTest):
         self.expect_error(2, "compare", "in.glb", "--states", "3", says="--states")
 
 
+class Loss(CliTest):
+    """--max-bytes and its kin, --one-bit and --aggregates."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("in.glb", forest().glb())
+
+    def compressed(self, *options):
+        self.expect_done("compress", "in.glb", "-o", "x.fil", "--level", "5", "--json", "c.json", *options)
+        self.expect_done("validate", "x.fil")
+        return json.loads((self.folder / "c.json").read_text())
+
+    def expect_no_lie(self):
+        self.expect_done("expand", "x.fil", "--asset", "in.glb", "-o", "out.glb")
+        self.expect_done("validate", "out.glb", "--deep", "--json", "deep.json")
+        self.assertEqual(json.loads((self.folder / "deep.json").read_text())["deep"]["wrong"], 0)
+
+    def test_byte_bounds_are_kept_without_a_lie(self):
+        for encoding in LOSSLESS + ("gruen",):
+            with self.subTest(encoding=encoding):
+                lossless = self.compressed("--encoding", encoding)
+                bound = (lossless["payload_bytes"] + lossless["descriptor_bytes"]) // 2
+                result = self.compressed("--encoding", encoding, "--max-bytes", bound)
+                self.assertLessEqual(result["payload_bytes"] + result["descriptor_bytes"], bound)
+                self.expect_no_lie()
+                curve = result["curve"]
+                self.assertEqual(list(curve[0]), ["bytes", "extra_anyhit", "known_share"])
+                self.assertEqual(curve, sorted(curve, key=lambda p: -p["bytes"]))
+                self.assertEqual(curve, sorted(curve, key=lambda p: p["extra_anyhit"]))
+                self.assertIn(result["lossy"], curve)
+
+    def test_loss_bounds_are_kept(self):
+        for percent in (0, 1, 25):
+            result = self.compressed("--max-extra-anyhit", percent)
+            self.assertLessEqual(result["lossy"]["extra_anyhit"], percent / 100)
+            self.expect_no_lie()
+            result = self.compressed("--states", "2", "--max-changed-area", percent)
+            self.assertLessEqual(result["lossy"]["changed_area"], percent / 100)
+            self.expect_done("expand", "x.fil", "--asset", "in.glb", "-o", "out.glb")
+            self.expect_done("validate", "out.glb")
+
+    def test_a_bound_out_of_reach_names_the_least(self):
+        self.expect_error(1, "compress", "in.glb", "-o", "x.fil", "--max-bytes", "1", says="the least is")
+
+    def test_one_bit_keeps_what_one_side_knows(self):
+        for encoding in LOSSLESS + ("gruen",):
+            with self.subTest(encoding=encoding):
+                result = self.compressed("--encoding", encoding, "--one-bit")
+                one_bit = result["one_bit"]
+                self.assertEqual(sum(one_bit["maps"].values()), result["maps"])
+                self.assertEqual(one_bit["bytes"], result["payload_bytes"] + result["descriptor_bytes"] +
+                                 one_bit["pair_bytes"])
+                self.assertLess(one_bit["bytes"], one_bit["four_state_bytes"])
+                self.assertLessEqual(one_bit["known_share"], one_bit["four_state_known_share"])
+                self.expect_no_lie()
+
+    def test_aggregates_add_bytes_and_change_no_map(self):
+        sizes, files = [], []
+        for more in ((), ("--aggregates",)):
+            self.expect_done("compress", "in.glb", "-o", "x.fil", "--level", "7", "--json", "c.json", *more)
+            self.expect_done("expand", "x.fil", "--asset", "in.glb", "-o", "out.glb")
+            sizes.append(json.loads((self.folder / "c.json").read_text())["payload_bytes"])
+            files.append((self.folder / "out.glb").read_bytes())
+        self.assertGreater(sizes[1], sizes[0])
+        self.assertEqual(files[0], files[1])
+
+    def test_wrong_usage(self):
+        for options, says in (
+                (("--max-bytes", "1K", "--one-bit"), "choose one"),
+                (("--max-extra-anyhit", "-1"), "--max-extra-anyhit"),
+                (("--max-changed-area", "1"), "--max-changed-area"),
+                (("--max-extra-anyhit", "1", "--states", "2"), "--max-changed-area"),
+                (("--one-bit", "--states", "2"), "--one-bit"),
+                (("--one-bit", "--encoding", "bitmask"), "bitmask"),
+                (("--aggregates", "--encoding", "dag"), "--aggregates"),
+                (("--max-bytes", "many"), "--max-bytes")):
+            self.expect_error(2, "compress", "in.glb", "-o", "x.fil", *options, says=says)
+
+
 class Compare(CliTest):
     def test_rows_and_files(self):
         self.write("in.glb", forest().glb())

@@ -6,9 +6,11 @@
 #include "filigree/core/result.h"
 #include "filigree/jobs/bake.h"
 #include "filigree/jobs/encoded_size.h"
+#include "filigree/jobs/loss.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,9 @@ struct CompressOptions {
     // `bakeAnew`.
     BakeParameters parameters;
     bool bakeAnew = false;
-    bool zstd = false;  // compress each section of the file that becomes smaller
+    bool zstd = false;        // compress each section of the file that becomes smaller
+    bool aggregates = false;  // encoding::EncodeOptions::aggregates; sdag alone
+    LossOptions loss;
 };
 
 struct CompressSummary {
@@ -38,6 +42,8 @@ struct CompressSummary {
     double writeSeconds = 0;
     double totalSeconds = 0;
     uint64_t peakBytes = 0;  // of the process, since it began
+    std::optional<LossySummary> lossy;
+    std::optional<OneBitSummary> oneBit;
     std::vector<std::string> notes;
 };
 
