@@ -1,5 +1,8 @@
 #include "jobs/vq_encoders.h"
 
+#include "filigree/quadmap/vq2.h"
+#include "filigree/quadmap/vq4.h"
+
 namespace filigree::jobs {
 namespace {
 
@@ -34,11 +37,33 @@ VqResult vq2Plus(const Square& square, Prefer prefer) {
             packed(quadmap::unpackVq2(block).transforms)};
 }
 
+template <quadmap::Vq4Layout layout>
+VqResult fromVq4(const quadmap::Vq4Block& block) {
+    const auto region = [](const quadmap::Vq4Block& b, unsigned x, unsigned y) {
+        return quadmap::vq4Region(b, layout, x, y);
+    };
+    return {decoded(block, quadmap::vq4Side, region), packed(quadmap::unpackVq4(block, layout).transforms)};
+}
+
+template <quadmap::Vq4Method method>
+VqResult vq4(const Square& square, Prefer prefer) {
+    return fromVq4<quadmap::Vq4Layout::vq4>(quadmap::encodeVq4(square, method, prefer));
+}
+
+VqResult vq4Plus(const Square& square, Prefer prefer) {
+    return fromVq4<quadmap::Vq4Layout::vq4Plus>(
+        quadmap::encodeVq4Plus(square, quadmap::Vq4Method::best, prefer));
+}
+
 constexpr VqEncoder encoders[] = {
     {VqMeasure::vq2Literal, VqMeasure::source16, 16, vq2<quadmap::Vq2Method::paperLiteral>},
     {VqMeasure::vq2Sensible, VqMeasure::source16, 16, vq2<quadmap::Vq2Method::paperSensible>},
     {VqMeasure::vq2Best, VqMeasure::source16, 16, vq2<quadmap::Vq2Method::best>},
+    {VqMeasure::vq4Paper, VqMeasure::source32, 32, vq4<quadmap::Vq4Method::paper>},
+    {VqMeasure::vq4Fast, VqMeasure::source32, 32, vq4<quadmap::Vq4Method::fast>},
+    {VqMeasure::vq4Best, VqMeasure::source32, 32, vq4<quadmap::Vq4Method::best>},
     {VqMeasure::vq2Plus, VqMeasure::source16, 16, vq2Plus},
+    {VqMeasure::vq4Plus, VqMeasure::source32, 32, vq4Plus},
 };
 
 struct Names {

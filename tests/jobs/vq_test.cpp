@@ -76,16 +76,19 @@ TEST(Vq, JsonHasTheMembersPromised) {
     const auto json = nlohmann::json::parse(toJson(*summary));
     const auto& texture = json["textures"][0];
     for (const auto& place : {texture, json["mean"]}) {
-        for (const char* key : {"source8", "source16", "source32", "source64", "masks2x64", "raw16", "vq2+"})
+        for (const char* key :
+             {"source8", "source16", "source32", "source64", "masks2x64", "raw16", "vq2+", "vq4+"})
             EXPECT_TRUE(place[key].is_number()) << key;
         for (const char* key : {"paper_literal", "paper_sensible", "best"})
             EXPECT_TRUE(place["vq2"][key].is_number()) << key;
+        for (const char* key : {"paper", "fast", "best"}) EXPECT_TRUE(place["vq4"][key].is_number()) << key;
     }
     EXPECT_TRUE(json["substitutions"]["vq2"]["best"].is_number_unsigned());
     EXPECT_TRUE(texture["substitutions"]["vq2+"].is_number_unsigned());
     EXPECT_TRUE(json["maps_per_second"]["vq2"]["best"].is_number());
-    for (const char* key : {"used", "unique", "most_frequent_share"})
-        EXPECT_EQ(json["transforms"]["vq2"][key], 1) << key;
+    for (const char* key : {"used", "unique", "most_frequent_share"}) {
+        for (const char* format : {"vq2", "vq4"}) EXPECT_EQ(json["transforms"][format][key], 1) << key;
+    }
 }
 
 TEST(Vq, RefusesWhatHasNoMap) {
