@@ -14,7 +14,7 @@ Vq4Block encode(const Square& square, Vq4Layout layout, Vq4Method method, Prefer
             case Vq4Method::paper:
                 return paperVq4(demand);
             case Vq4Method::fast:
-                return searchVq4(demand, {1, 4, 1, 0});
+                return searchVq4(demand, {1, 4, 2, 0});
             case Vq4Method::best:
                 break;
         }
