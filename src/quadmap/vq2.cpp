@@ -15,21 +15,36 @@ Region regionIn(Word2 word, Cell cell) {
     return (word >> 4 & 1) != 0 ? Region::opaque : Region::transparent;
 }
 
-struct Place {
-    unsigned vector;
+// What a block's last 8 bytes say of one region.
+struct Looked {
+    uint64_t book;
+    unsigned index;
     unsigned quadrant;
-    Cell inVector;
+    Cell cell;  // of the stored vector
+
+    Looked(Vq2View block, unsigned x, unsigned y)
+        : book(loadLe<uint64_t>(block.data() + bookStart)),
+          index(loadLe<uint32_t>(block.data() + indexRowBytes * (y / 2)) >> (3 * (x / 2)) & 7),
+          quadrant(y / 8 * 2 + x / 8),
+          cell(storedCell(static_cast<Transform>((book & 511) << 3 >> (3 * quadrant) & 7), 2,
+                          {x % 2, y % 2})) {
+        assert(x < vq2Side && y < vq2Side);
+    }
+
+    [[nodiscard]] Word2 shared(unsigned k) const { return book >> (9 + 5 * k) & 31; }
+    [[nodiscard]] Word2 own(unsigned k) const { return book >> (24 + 10 * quadrant + 5 * k) & 31; }
+    [[nodiscard]] Region region() const {
+        if (index < 3) return static_cast<Region>(index);
+        return regionIn(index < 6 ? shared(index - 3) : own(index - 6), cell);
+    }
 };
 
-Place placeOf(unsigned x, unsigned y) {
-    assert(x < vq2Side && y < vq2Side);
-    return {y / 2 * 8 + x / 2, y / 8 * 2 + x / 8, {x % 2, y % 2}};
-}
-
-Region indexedRegion(const Vq2& map, const Place& place, unsigned index) {
-    if (index < 3) return static_cast<Region>(index);
-    const Word2 word = index < 6 ? map.shared[index - 3] : map.own[place.quadrant][index - 6];
-    return regionIn(word, storedCell(map.transforms[place.quadrant], 2, place.inVector));
+Vq2PlusReading readingOf(Word2 ownFirst, Word2 ownSecond, Word2 sharedSecond, Word2 sharedThird) {
+    Vq2PlusReading reading;
+    reading.rereads = ownFirst > ownSecond;
+    reading.index = ((ownFirst ^ ownSecond) & 1) != 0 ? 2 : 0;
+    reading.rotation = sharedSecond > sharedThird ? 6 : 1;
+    return reading;
 }
 
 }  // namespace
@@ -70,28 +85,19 @@ Vq2 unpackVq2(Vq2View block) {
 }
 
 Region vq2Region(Vq2View block, unsigned x, unsigned y) {
-    const Vq2 map = unpackVq2(block);
-    const Place place = placeOf(x, y);
-    return indexedRegion(map, place, map.indices[place.vector]);
+    return Looked(block, x, y).region();
 }
 
 Vq2PlusReading vq2PlusReading(const Vq2& map, unsigned quadrant) {
     const auto [first, second] = map.own[quadrant];
-    Vq2PlusReading reading;
-    reading.rereads = first > second;
-    reading.index = ((first ^ second) & 1) != 0 ? 2 : 0;
-    reading.rotation = map.shared[1] > map.shared[2] ? 6 : 1;
-    return reading;
+    return readingOf(first, second, map.shared[1], map.shared[2]);
 }
 
 Region vq2PlusRegion(Vq2View block, unsigned x, unsigned y) {
-    const Vq2 map = unpackVq2(block);
-    const Place place = placeOf(x, y);
-    const unsigned index = map.indices[place.vector];
-    const Vq2PlusReading reading = vq2PlusReading(map, place.quadrant);
-    if (!reading.rereads || index != reading.index) return indexedRegion(map, place, index);
-    const Cell rotated = storedCell(map.transforms[place.quadrant], 2, place.inVector);
-    return regionIn(map.shared[0], storedCell(reading.rotation, 2, rotated));
+    const Looked looked(block, x, y);
+    const auto reading = readingOf(looked.own(0), looked.own(1), looked.shared(1), looked.shared(2));
+    if (!reading.rereads || looked.index != reading.index) return looked.region();
+    return regionIn(looked.shared(0), storedCell(reading.rotation, 2, looked.cell));
 }
 
 }  // namespace filigree::quadmap

@@ -53,6 +53,23 @@ constexpr std::array<Word4Kind, word4Count> kindsOf(unsigned simple, unsigned ge
 constexpr auto vq4Kinds = kindsOf(3, 8, true);
 constexpr auto vq4PlusKinds = kindsOf(8, 3, false);
 
+// Which bit of the tail is the palette of each part of each word.
+using PalettePlaces = std::array<std::array<uint8_t, 4>, word4Count>;
+constexpr PalettePlaces placesOf(const std::array<Word4Kind, word4Count>& kinds, unsigned first) {
+    PalettePlaces places{};
+    for (size_t k = 0; k < word4Count; ++k) {
+        for (unsigned bit = 0; bit < paletteBits(kinds[k]); ++bit) {
+            for (unsigned part = 0; part < 4; ++part) {
+                const unsigned covered = palettesFrom(kinds[k], 1U << bit);
+                if ((covered >> part & 1) != 0) places[k][part] = static_cast<uint8_t>(first + bit);
+            }
+        }
+        first += paletteBits(kinds[k]);
+    }
+    return places;
+}
+constexpr std::array<PalettePlaces, 2> palettePlaces{placesOf(vq4Kinds, 9), placesOf(vq4PlusKinds, 24)};
+
 }  // namespace
 
 const std::array<Word4Kind, word4Count>& word4Kinds(Vq4Layout layout) {
@@ -101,15 +118,19 @@ Vq4 unpackVq4(Vq4View block, Vq4Layout layout) {
 
 Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
     assert(x < vq4Side && y < vq4Side);
-    const Vq4 map = unpackVq4(block, layout);
-    const unsigned index = map.indices[y / 4 * 8 + x / 4];
+    const unsigned index = loadLe<uint32_t>(block.data() + y / 4 * 4) >> (x / 4 * 4) & 15;
     if (index < 3) return static_cast<Region>(index);
-    const Transform transform = map.transforms[groupOf(layout, x / 4, y / 4)];
+    const uint64_t tail = loadLe<uint64_t>(block.data() + vq4Bytes - 8) >> 16;
+    const unsigned group = groupOf(layout, x / 4, y / 4);
+    // The first quadrant of VQ4 stores no transform.
+    const uint64_t transforms = layout == Vq4Layout::vq4 ? (tail & 511) << 3 : tail;
+    const auto transform = static_cast<Transform>(transforms >> (3 * group) & 7);
     const Cell cell = storedCell(transform, 4, {x % 4, y % 4});
-    const Word4& word = map.words[index - 3];
-    if ((word.known >> (4 * cell.y + cell.x) & 1) == 0) return Region::mixed;
+    const unsigned known = loadLe<uint16_t>(block.data() + wordStart + size_t{2} * (index - 3));
+    if ((known >> (4 * cell.y + cell.x) & 1) == 0) return Region::mixed;
     const unsigned part = cell.y / 2 * 2 + cell.x / 2;
-    return (word.palettes >> part & 1) != 0 ? Region::opaque : Region::transparent;
+    const unsigned place = palettePlaces[static_cast<size_t>(layout)][index - 3][part];
+    return (tail >> place & 1) != 0 ? Region::opaque : Region::transparent;
 }
 
 }  // namespace filigree::quadmap
