@@ -35,6 +35,32 @@ class Scenes(CliTest):
                     self.assertEqual((self.folder / "out.glb").read_bytes(), (self.folder / "baked.glb").read_bytes())
 
     @unittest.skipUnless(os.environ.get("FILIGREE_FULL"), "long: ./check --full")
+    def test_gruen_masks_are_never_wrong(self):
+        for scene in sorted(SCENES.glob("*.glb")):
+            for states in (2, 4):
+                with self.subTest(scene=scene.name, states=states):
+                    self.expect_done("compress", scene, "-o", "x.fil", "--encoding", "gruen", "--level", "6", "--states",
+                                     states)
+                    self.expect_done("expand", "x.fil", "--asset", scene, "-o", "out.glb")
+                    self.expect_done("validate", "out.glb", "--deep", "--json", "deep.json")
+                    deep = json.loads((self.folder / "deep.json").read_text())["deep"]
+                    self.assertEqual(deep["wrong"], 0)
+                    self.assertGreater(deep["micro_triangles"], 0)
+
+    @unittest.skipUnless(os.environ.get("FILIGREE_FULL"), "long: ./check --full")
+    def test_what_is_lost_is_never_a_lie(self):
+        for scene in sorted(SCENES.glob("*.glb")):
+            for options in (["--max-extra-anyhit", "20"], ["--one-bit"]):
+                for encoding in ("tree", "sdag"):
+                    with self.subTest(scene=scene.name, options=options, encoding=encoding):
+                        self.expect_done("compress", scene, "-o", "x.fil", "--encoding", encoding, "--level", "6", *options)
+                        self.expect_done("validate", "x.fil")
+                        self.expect_done("expand", "x.fil", "--asset", scene, "-o", "out.glb")
+                        self.expect_done("validate", "out.glb", "--deep", "--json", "deep.json")
+                        deep = json.loads((self.folder / "deep.json").read_text())["deep"]
+                        self.assertEqual(deep["wrong"], 0)
+
+    @unittest.skipUnless(os.environ.get("FILIGREE_FULL"), "long: ./check --full")
     def test_level_10_takes_little_memory(self):
         for scene in sorted(SCENES.glob("*.glb")):
             for states in (2, 4):
