@@ -56,7 +56,7 @@ void lookUpInBlocks(const Reader& reader, const Points& p, std::span<State> stat
 
 template <class Reader>
 double timed(const Reader& reader, LookupMode mode, const Points& points, std::span<State> states) {
-    const Stopwatch watch;
+    const ThreadStopwatch watch;
     switch (mode) {
         case LookupMode::dependent:
             lookUpDependently(reader, points, states.first(lookupsOf(mode, states.size())));

@@ -39,7 +39,8 @@ class LookupMethod {
     virtual ~LookupMethod() = default;
     [[nodiscard]] virtual encoding::Encoding encoding() const = 0;
 
-    // Looks up among the first states.size() points and gives the seconds; lookup k finds states[k].
+    // Looks up among the first states.size() points and gives the seconds of CPU time; lookup k finds
+    // states[k].
     virtual double run(LookupMode mode, std::span<micromap::State> states) const = 0;
 
     // Whether `found` is what this encoding may hold at point `query` of which the map says `exact`.

@@ -1,10 +1,12 @@
-// Wall time since it was made.
+// Time since a watch was made.
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace filigree::jobs {
 
+// Wall time.
 class Stopwatch {
   public:
     [[nodiscard]] double seconds() const {
@@ -13,6 +15,20 @@ class Stopwatch {
 
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Time that this thread has run, whatever else the machine does.
+class ThreadStopwatch {
+  public:
+    [[nodiscard]] double seconds() const { return now() - start_; }
+
+  private:
+    static double now() {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    }
+    double start_ = now();
 };
 
 }  // namespace filigree::jobs

@@ -24,7 +24,7 @@ struct BenchLookupOptions {
     BakeParameters parameters;   // when a state is known; states and levels are those above
 };
 
-// The median over the rounds, in which methods take turns.
+// The median of CPU time over the rounds, in which methods take turns.
 struct BenchLookupRow {
     std::string scene;  // file name
     std::string method;
