@@ -61,6 +61,7 @@ void addBench(CLI::App& app, Commands& commands) {
     addBenchBake(*bench, commands);
     addBenchEncode(*bench, commands);
     addBenchLookup(*bench, commands);
+    addBenchTrace(*bench, commands);
 }
 
 }  // namespace filigree::app

@@ -81,6 +81,7 @@ void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);
 void addBenchEncode(CLI::App& bench, Commands& commands);
 void addBenchLookup(CLI::App& bench, Commands& commands);
+void addBenchTrace(CLI::App& bench, Commands& commands);
 void addRender(CLI::App& app, Commands& commands);
 void addDemo(CLI::App& app, Commands& commands);
 void addVq(CLI::App& app, Commands& commands);

@@ -4,6 +4,8 @@
 
 #include "command.h"
 #include "encoded_lines.h"
+#include "parsed_number.h"
+#include "picture_options.h"
 #include "text_table.h"
 
 #include <algorithm>
@@ -14,47 +16,19 @@
 namespace filigree::app {
 namespace {
 
-template <class Number>
-Number parsed(const std::string& text, const std::string& option, const std::string& all) {
-    Number value{};
-    if (!CLI::detail::lexical_cast(text, value)) throw CLI::ConversionError(all, option);
-    return value;
-}
-
-void setSize(jobs::RenderOptions& options, const std::string& text) {
-    const auto sides = CLI::detail::split(text, 'x');
-    if (sides.size() != 2) throw CLI::ConversionError(text, "--size");
-    options.width = parsed<uint32_t>(sides[0], "--size", text);
-    options.height = parsed<uint32_t>(sides[1], "--size", text);
-}
-
-void setCamera(jobs::RenderOptions& options, const std::string& text) {
-    const auto parts = CLI::detail::split(text, ',');
-    if (parts.size() == 1) {
-        options.camera = parsed<unsigned>(text, "--camera", text);
-        return;
-    }
-    std::array<float, 10> numbers{};
-    if (parts.size() != numbers.size()) throw CLI::ConversionError(text, "--camera");
-    std::ranges::transform(parts, numbers.begin(),
-                           [&](const std::string& part) { return parsed<float>(part, "--camera", text); });
-    const auto& n = numbers;
-    options.camera = jobs::OwnCamera{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9]};
-}
-
 void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--method", options.method,
                     "none, texture, bitmask, gruen, micromap (the default), tree, indexed-tree, dag or sdag")
         ->type_name("NAME");
     const auto setStates = [&options](const std::string& text) {
-        options.states = parsed<unsigned>(text, "--states", text);
+        options.states = parsedNumber<unsigned>(text, "--states", text);
         options.statesGiven = true;
     };
     verb.add_option_function<std::string>(
             "--states", setStates, "4, the default: unknown states ask the texture; 2: their side decides")
         ->type_name("2|4");
     const auto setLevel = [&options](const std::string& text) {
-        if (text != "auto") options.level = parsed<unsigned>(text, "--level", text);
+        if (text != "auto") options.level = parsedNumber<unsigned>(text, "--level", text);
         options.levelGiven = true;
     };
     verb.add_option_function<std::string>("--level", setLevel,
@@ -67,17 +41,10 @@ void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
 void addPicture(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--integrator", options.integrator, "primary, shadow, ao (the default) or path")
         ->type_name("NAME");
-    verb.add_option_function<std::string>(
-            "--size", [&options](const std::string& text) { setSize(options, text); },
-            "Pixels; default 960x540")
-        ->type_name("WxH");
+    addSizeOption(verb, options.width, options.height, "960x540");
     verb.add_option("--spp", options.spp, "Samples a pixel; default 16")->type_name("N");
     verb.add_option("--seed", options.seed, "Of the random numbers; default 1")->type_name("N");
-    verb.add_option_function<std::string>(
-            "--camera", [&options](const std::string& text) { setCamera(options, text); },
-            "Eye, target and up as x,y,z each, then the vertical angle of view in degrees; or the number of "
-            "one of the file's cameras, from 0. Default: the file's first, or a view of the scene")
-        ->type_name("EYE,TARGET,UP,FOV|N");
+    addCameraOption(verb, options.camera, "the file's first, or a view of the scene");
     verb.add_option("--bounces", options.bounces, "Of a path; default 3")->type_name("N");
     verb.add_flag("--defer", options.defer,
                   "Shadow and AO rays ask the texture only when no known state stops them");

@@ -39,12 +39,6 @@ std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::
     return surfaces;
 }
 
-uint64_t indexBytes(const SceneMaps& maps) {
-    uint64_t bytes = 0;
-    for (const MapPrimitive& p : maps.primitives) bytes += sizeof(int32_t) * p.indices.size();
-    return bytes;
-}
-
 Result<encoding::EncodedSet> encodeFor(Method method, unsigned states, const scene::Scene& scene,
                                        const SceneMaps& maps, const Executor& executor) {
     const auto encoding = trace::encodingOf(method);
@@ -78,8 +72,6 @@ Result<OpacityInput> makeOpacity(Method method, unsigned states, const scene::Sc
     if (!set) return set.error();
     OpacityInput input;
     input.set = std::move(*set);
-    input.bytes = input.set.payload.size() + input.set.descriptors.size();
-    if (hasLevels(method)) input.bytes += indexBytes(maps);
     auto opacity = trace::Opacity::make(method, states, world, viewOf(input.set),
                                         surfaceMaps(maps, world, method == Method::bitmask));
     if (!opacity) return opacity.error();

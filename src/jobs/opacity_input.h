@@ -28,7 +28,6 @@ bool hasStates(trace::Method method);
 struct OpacityInput {
     encoding::EncodedSet set;  // empty for methods that read none
     std::optional<trace::Opacity> opacity;
-    uint64_t bytes = 0;  // resident for lookups: payload, descriptors and the triangles' indices
 };
 
 // Encodes `maps` of the scene behind `world` for `method`. Both must outlive the result, as must `scene`.

@@ -5,6 +5,7 @@
 #include "filigree/io/image_file.h"
 #include "filigree/trace/render.h"
 
+#include "jobs/camera_choice.h"
 #include "jobs/heat_map.h"
 #include "jobs/json_text.h"
 #include "jobs/opacity_input.h"
@@ -14,7 +15,6 @@
 #include "jobs/stopwatch.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,22 +48,6 @@ Status checkNumbers(const RenderOptions& options, Method method) {
                                  nameOf(method))};
     }
     return {};
-}
-
-Result<scene::Camera> ownCamera(const OwnCamera& own) {
-    if (own.eye == own.target) return Error{ErrorKind::usage, "--camera: eye and target are the same point"};
-    return trace::lookAt(own.eye, own.target, own.up, own.fov * std::numbers::pi_v<float> / 180);
-}
-
-Result<scene::Camera> cameraFor(const CameraChoice& choice, const scene::Scene& scene,
-                                const trace::World& world) {
-    if (const auto* own = std::get_if<OwnCamera>(&choice)) return ownCamera(*own);
-    if (const auto* number = std::get_if<unsigned>(&choice)) {
-        if (*number < scene.cameras.size()) return scene.cameras[*number];
-        return Error{ErrorKind::usage, fmt::format("--camera {}: the scene has {} cameras, counted from 0",
-                                                   *number, scene.cameras.size())};
-    }
-    return scene.cameras.empty() ? trace::overview(world) : scene.cameras[0];
 }
 
 // One run of the verb.
@@ -118,7 +102,8 @@ class Rendering {
         world_.emplace(std::move(*world));
         addNotes(world_->notes());
         if (world_->triangleCount() == 0) note("the scene has no triangles; the picture shows the sky alone");
-        auto camera = cameraFor(options_.camera, scene_, *world_);
+        auto camera = cameraFor(options_.camera, scene_, *world_,
+                                static_cast<float>(options_.width) / static_cast<float>(options_.height));
         if (!camera) return camera.error();
         settings_.camera = std::move(*camera);
         return check(settings_);
@@ -144,6 +129,7 @@ class Rendering {
         BakeParameters parameters;
         parameters.states = options_.states;
         parameters.level = method_ == Method::bitmask ? 0 : options_.level;
+        if (!options_.levelGiven) parameters.maxLevel = 6;  // so that the picture begins soon
         parameters.includeBlend = true;
         auto maps = bakeMaps(scene_, parameters, executor_, progress_);
         if (maps) addNotes(maps->notes);
@@ -243,7 +229,7 @@ class Rendering {
         summary_.spp = film.samples;
         summary_.counters = film.counters;
         const trace::World::Bytes bytes = world_->bytes();
-        summary_.opacityBytes = opacity.bytes;
+        summary_.opacityBytes = opacity.opacity->bytes();
         summary_.textureBytes = bytes.textures;
         summary_.geometryBytes = bytes.geometry;
         summary_.bvhBytes = bytes.bvh;
