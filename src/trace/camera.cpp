@@ -2,7 +2,6 @@
 
 #include "filigree/trace/render.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace filigree::trace {
@@ -44,16 +43,6 @@ scene::Camera lookAt(const Vec3& eye, const Vec3& target, const Vec3& up, float 
     camera.transform = {right[0], right[1], right[2], 0, above[0], above[1], above[2], 0,
                         back[0],  back[1],  back[2],  0, eye[0],   eye[1],   eye[2],   1};
     return camera;
-}
-
-scene::Camera overview(const World& world) {
-    constexpr float fov = 0.8F;
-    const Box box = world.bounds();
-    if (box.empty()) return lookAt({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, fov);
-    const Vec3 centre = times(plus(box.low, box.high), 0.5F);
-    const float distance = 0.5F * box.diagonal() / std::tan(fov / 2);
-    const Vec3 from = normalised({0.55F, 0.4F, 0.75F});
-    return lookAt(plus(centre, times(from, std::max(distance, 1e-3F))), centre, {0, 1, 0}, fov);
 }
 
 }  // namespace filigree::trace

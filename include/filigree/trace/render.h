@@ -70,11 +70,12 @@ Status check(const RenderSettings& settings);
 bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
                const Executor& executor, ProgressSink& progress, Film& film);
 
-// The mean as 8-bit sRGB, tone-mapped as 1 - exp(-x).
+// The mean as 8-bit sRGB, tone-mapped as 1 - exp(-x); dark pictures are brightened, up to twelve times.
 scene::ColourImage developed(const Film& film);
 
-// A view of all of the world from outside, a little from above; a sensible camera when a file has none.
-scene::Camera overview(const World& world);
+// A sensible camera when a file has none, for a picture `aspect` times as wide as high: all of the world from
+// outside, from where most is to be seen; from within where no surface with holes shows outside.
+scene::Camera overview(const World& world, float aspect = 16.0F / 9);
 
 // A camera at `eye` that looks at `target`; `fov` is vertical, in radians.
 scene::Camera lookAt(const Vec3& eye, const Vec3& target, const Vec3& up, float fov);
