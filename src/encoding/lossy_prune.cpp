@@ -1,6 +1,7 @@
 #include "encoding/lossy_prune.h"
 
 #include "encoding/lossy_graph.h"
+#include "encoding/lossy_orient.h"
 #include "encoding/lossy_tree.h"
 
 #include <algorithm>
@@ -60,6 +61,13 @@ RateModel mergedModel(std::span<const WeightedMap> maps, const SubtreeGraph& gra
     return model;
 }
 
+std::unique_ptr<Pruner> makeMergedPruner(std::span<const WeightedMap> maps, const EncodedSet& lossless,
+                                         micromap::Format format) {
+    SubtreeGraph graph(maps);
+    const RateModel model = mergedModel(maps, graph, lossless);
+    return makeGraphPruner(maps, std::move(graph), format, model);
+}
+
 }  // namespace
 
 std::unique_ptr<Pruner> makePruner(std::span<const WeightedMap> maps, const EncodedSet& lossless,
@@ -70,11 +78,11 @@ std::unique_ptr<Pruner> makePruner(std::span<const WeightedMap> maps, const Enco
             return makeTreePruner(maps, format,
                                   treeModel(lossless.format, lossless.encoding == Encoding::indexedTree));
         case Encoding::dag:
-        case Encoding::sdag: {
-            SubtreeGraph graph(maps);
-            const RateModel model = mergedModel(maps, graph, lossless);
-            return makeGraphPruner(maps, std::move(graph), format, model);
-        }
+            return makeMergedPruner(maps, lossless, format);
+        case Encoding::sdag:
+            return makeOrientedPruner(maps, [&](std::span<const WeightedMap> oriented) {
+                return makeMergedPruner(oriented, lossless, format);
+            });
         default:
             return makeTreePruner(maps, format, flatModel(lossless.format));
     }
