@@ -22,10 +22,9 @@ struct Reading {
     bool opaqueIndex = false;  // index 2 re-reads, otherwise 0
 };
 
-// The codes' lowest bits, as stored, name the index: where they lie once transformed.
-PairRule ruleOf(Transform transform, bool opaqueIndex) {
-    const uint32_t shown = transformedCells(transform, 2, 1);
-    return {false, static_cast<unsigned>(std::countr_zero(shown)), opaqueIndex};
+// The codes' lowest bits, as stored, name the index: which bit that is once transformed.
+unsigned messageBit(Transform transform) {
+    return static_cast<unsigned>(std::countr_zero(transformedCells(transform, 2, 1)));
 }
 
 // A quadrant and what is known of it so far.
@@ -39,11 +38,20 @@ class PlusQuadrant {
             best = std::max(best, totals_[triple]);
         }
         const Gains uniform = gains_.transparent | gains_.opaque;
-        for (const Gains& word : gains_.words) {
+        for (unsigned number = 0; number < word2Count; ++number) {
+            const Gains& word = gains_.words[number];
             allWords_ = allWords_ | word;
-            mostOfOne_ = std::max(mostOfOne_, (word - uniform).total());
+            alone_[number] = (word - uniform).total();
+            mostOfOne_ = std::max(mostOfOne_, alone_[number]);
         }
         most_ = (allWords_ | uniform).total();
+        for (unsigned bit = 0; bit < 4; ++bit) {
+            for (unsigned value = 0; value < 2; ++value) {
+                const unsigned mask = 1U << bit;
+                pairWords_[0][bit][value] = PairWords(gains_, gains_.opaque, mask, value * mask);
+                pairWords_[1][bit][value] = PairWords(gains_, gains_.transparent, mask, value * mask);
+            }
+        }
     }
 
     [[nodiscard]] const QuadrantGains& gains() const { return gains_; }
@@ -71,17 +79,23 @@ class PlusQuadrant {
                gains_.words[words[1]] | gains_.words[words[2]] | gains_.words[extra];
     }
 
+    // The best own pair that says which index re-reads.
+    [[nodiscard]] BestPair bestOwn(Gains base, Transform transform, bool opaqueIndex) const {
+        return bestPair(gains_, base, pairWords_[opaqueIndex ? 1 : 0][messageBit(transform)], opaqueIndex);
+    }
+
   private:
     void tryRereading(const Message& message, Transform t, Reading& best) {
         const unsigned shown = Triples::all().shown(message.triple, t);
         const unsigned word = Triples::all().words(message.triple)[message.first];
         const unsigned extra = transformedWord2(t, transformedWord2(rotations[message.rotation], word));
+        if (totals_[shown] + alone_[extra] <= best.total) return;
         const unsigned more = (gains_.words[extra] - gainsWith(gains_, shown)).total();
         if (totals_[shown] + more <= best.total) return;
         for (const bool opaqueIndex : {false, true}) {
             const Gains base = baseOf(shown, extra, opaqueIndex);
             if ((base | allWords_).total() <= best.total) continue;
-            const unsigned total = bestPair(gains_, base, ruleOf(t, opaqueIndex)).total;
+            const unsigned total = bestOwn(base, t, opaqueIndex).total;
             if (total > best.total) best = {total, t, true, opaqueIndex};
         }
     }
@@ -89,7 +103,10 @@ class PlusQuadrant {
     QuadrantGains gains_;
     TripleTotals totals_{};
     std::vector<uint16_t> orbitBest_;
+    // [index 0 or 2 re-reads][message bit][its value]
+    std::array<std::array<std::array<PairWords, 2>, 4>, 2> pairWords_;
     Gains allWords_;
+    std::array<unsigned, word2Count> alone_{};  // what a word adds to the uniform ones
     unsigned mostOfOne_ = 0;
     unsigned most_ = 0;
 };
@@ -98,11 +115,9 @@ class PlusQuadrant {
 class PlusSearch {
   public:
     explicit PlusSearch(std::array<PlusQuadrant, 4>& quadrants) : quadrants_(quadrants) {
-        for (unsigned triple = 0; triple < tripleCount; ++triple) {
-            const unsigned orbit = Triples::all().orbit(triple);
-            unsigned limit = 0;
-            for (const PlusQuadrant& quadrant : quadrants_) limit += quadrant.limit(orbit);
-            for (unsigned first = 0; limit > most_ && first < 3; ++first) {
+        for (const auto& [limit, triple] : triplesByLimit()) {
+            if (found_ && limit <= most_) break;
+            for (unsigned first = 0; first < 3; ++first) {
                 for (unsigned rotation = 0; rotation < rotations.size(); ++rotation) {
                     tryMessage({triple, first, rotation}, limit);
                 }
@@ -114,6 +129,20 @@ class PlusSearch {
     [[nodiscard]] const std::array<Reading, 4>& readings() const { return best_; }
 
   private:
+    // The most promising first, so that the search can end early.
+    [[nodiscard]] std::vector<std::pair<unsigned, unsigned>> triplesByLimit() const {
+        std::vector<unsigned> limits(Triples::all().orbitCount());
+        for (unsigned orbit = 0; orbit < limits.size(); ++orbit) {
+            for (const PlusQuadrant& quadrant : quadrants_) limits[orbit] += quadrant.limit(orbit);
+        }
+        std::vector<std::pair<unsigned, unsigned>> triples;
+        for (unsigned triple = 0; triple < tripleCount; ++triple) {
+            triples.emplace_back(limits[Triples::all().orbit(triple)], triple);
+        }
+        std::ranges::stable_sort(triples, [](const auto& a, const auto& b) { return a.first > b.first; });
+        return triples;
+    }
+
     void tryMessage(const Message& message, unsigned limit) {
         const unsigned orbit = Triples::all().orbit(message.triple);
         std::array<Reading, 4> readings;
@@ -164,8 +193,8 @@ std::array<Word2, 2> ownWords(const PlusQuadrant& quadrant, const Message& messa
         const unsigned word = Triples::all().words(message.triple)[message.first];
         const unsigned extra =
             transformedWord2(reading.transform, transformedWord2(rotations[message.rotation], word));
-        pair = bestPair(quadrant.gains(), quadrant.baseOf(shown, extra, reading.opaqueIndex),
-                        ruleOf(reading.transform, reading.opaqueIndex));
+        pair = quadrant.bestOwn(quadrant.baseOf(shown, extra, reading.opaqueIndex), reading.transform,
+                                reading.opaqueIndex);
         if (pair.words[0] == noWord2) pair.words[0] = 0;
     } else {
         pair = bestPair(quadrant.gains(), gainsWith(quadrant.gains(), shown));

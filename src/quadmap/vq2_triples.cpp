@@ -5,38 +5,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#ifndef FILIGREE_QUADMAP_VQ2_TRIPLES
-#define FILIGREE_QUADMAP_VQ2_TRIPLES
-namespace filigree::quadmap {
-
-// Words that some best pair consists of.
-struct PairWords {
-    std::array<uint8_t, word2Count> numbers{};
-    unsigned count = 0;
-
-    // Those of the words with `code & mask == value` that are worth more than `base`, but none whose gains
-    // another's include.
-    PairWords(const QuadrantGains& quadrant, Gains base, unsigned mask, unsigned value) {
-        std::array<Gains, word2Count> more;
-        const auto allowed = [&](unsigned number) { return (word2Code(number) & mask) == value; };
-        for (unsigned number = 0; number < word2Count; ++number) more[number] = quadrant.words[number] - base;
-        const auto includes = [&](unsigned other, unsigned number) {
-            if (other == number || !allowed(other) || !(more[number] - more[other]).none()) return false;
-            return more[other] != more[number] || other < number;
-        };
-        for (unsigned number = 0; number < word2Count; ++number) {
-            if (!allowed(number) || more[number].none()) continue;
-            bool included = false;
-            for (unsigned other = 0; other < word2Count && !included; ++other)
-                included = includes(other, number);
-            if (!included) numbers[count++] = static_cast<uint8_t>(number);
-        }
-    }
-};
-
-}  // namespace filigree::quadmap
-#endif
-
 HWY_BEFORE_NAMESPACE();
 namespace filigree::quadmap::HWY_NAMESPACE {
 
@@ -170,6 +138,22 @@ Triples::Triples() : shown_(tripleCount), orbit_(tripleCount, UINT16_MAX) {
     }
 }
 
+PairWords::PairWords(const QuadrantGains& quadrant, Gains base, unsigned mask, unsigned value) {
+    std::array<Gains, word2Count> more;
+    const auto allowed = [&](unsigned number) { return (word2Code(number) & mask) == value; };
+    for (unsigned number = 0; number < word2Count; ++number) more[number] = quadrant.words[number] - base;
+    const auto includes = [&](unsigned other, unsigned number) {
+        if (other == number || !allowed(other) || !(more[number] - more[other]).none()) return false;
+        return more[other] != more[number] || other < number;
+    };
+    for (unsigned number = 0; number < word2Count; ++number) {
+        if (!allowed(number) || more[number].none()) continue;
+        bool included = false;
+        for (unsigned other = 0; other < word2Count && !included; ++other) included = includes(other, number);
+        if (!included) numbers[count++] = static_cast<uint8_t>(number);
+    }
+}
+
 const Triples& Triples::all() {
     static const Triples triples;
     return triples;
@@ -181,25 +165,21 @@ void totalsOfTriples(const QuadrantGains& quadrant, TripleTotals& found) {
     HWY_DYNAMIC_DISPATCH(totals)(quadrant, wide, found);
 }
 
-BestPair bestPair(const QuadrantGains& quadrant, Gains base, const PairRule& rule) {
+BestPair bestPair(const QuadrantGains& quadrant, Gains base) {
     BestPair best{base.total(), {noWord2, noWord2}};
-    const auto search = [&](const PairWords& firsts, const PairWords& seconds) {
-        HWY_DYNAMIC_DISPATCH(pair)(quadrant, base, firsts, seconds, best);
-    };
-    if (rule.any) {
-        const PairWords words(quadrant, base, 0, 0);
-        search(words, words);
+    const PairWords words(quadrant, base, 0, 0);
+    HWY_DYNAMIC_DISPATCH(pair)(quadrant, base, words, words, best);
+    return best;
+}
+
+BestPair bestPair(const QuadrantGains& quadrant, Gains base, const std::array<PairWords, 2>& byBit,
+                  bool different) {
+    BestPair best{base.total(), {noWord2, noWord2}};
+    if (different) {
+        HWY_DYNAMIC_DISPATCH(pair)(quadrant, base, byBit[0], byBit[1], best);
         return best;
     }
-    const unsigned mask = 1U << rule.bit;
-    const PairWords without(quadrant, base, mask, 0);
-    const PairWords with(quadrant, base, mask, mask);
-    if (rule.different) {
-        search(without, with);
-    } else {
-        search(without, without);
-        search(with, with);
-    }
+    for (const PairWords& words : byBit) HWY_DYNAMIC_DISPATCH(pair)(quadrant, base, words, words, best);
     return best;
 }
 

@@ -39,15 +39,23 @@ struct BestPair {
     std::array<uint8_t, 2> words{noWord2, noWord2};
 };
 
-// Which pairs are allowed. In VQ2+ one bit of both codes carries a message.
-struct PairRule {
-    bool any = true;
-    unsigned bit = 0;        // of the code, as shown
-    bool different = false;  // the words differ in it, otherwise they agree
+// The words that some best pair on top of `base`, or of more, consists of.
+struct PairWords {
+    std::array<uint8_t, word2Count> numbers{};
+    unsigned count = 0;
+
+    PairWords() = default;
+    // Those with `code & mask == value` that are worth more than `base`, but none whose gains another's
+    // include.
+    PairWords(const QuadrantGains& quadrant, Gains base, unsigned mask, unsigned value);
 };
 
 // The best pair on top of `base`. Same inputs, same pair.
-BestPair bestPair(const QuadrantGains& quadrant, Gains base, const PairRule& rule = {});
+BestPair bestPair(const QuadrantGains& quadrant, Gains base);
+// The same where one bit of both codes carries a message: the words differ in it or not. `byBit` holds the
+// words without and with that bit.
+BestPair bestPair(const QuadrantGains& quadrant, Gains base, const std::array<PairWords, 2>& byBit,
+                  bool different);
 
 // The total gain of a quadrant with each triple and the best pair for it.
 using TripleTotals = std::array<uint16_t, tripleCount>;
