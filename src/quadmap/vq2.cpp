@@ -11,8 +11,10 @@ constexpr size_t indexRowBytes = 3;
 constexpr size_t bookStart = 24;
 
 Region regionIn(Word2 word, Cell cell) {
-    if ((word >> (2 * cell.y + cell.x) & 1) == 0) return Region::mixed;
-    return (word >> 4 & 1) != 0 ? Region::opaque : Region::transparent;
+    const unsigned known = word >> (2 * cell.y + cell.x) & 1U;
+    const unsigned palette = word >> 4 & 1U;
+    // 1 for mixed, else 0 or 2.
+    return static_cast<Region>(1 - known + 2 * (known & palette));
 }
 
 // What a block's last 8 bytes say of one region.
@@ -33,9 +35,11 @@ struct Looked {
 
     [[nodiscard]] Word2 shared(unsigned k) const { return book >> (9 + 5 * k) & 31; }
     [[nodiscard]] Word2 own(unsigned k) const { return book >> (24 + 10 * quadrant + 5 * k) & 31; }
+    // Without branches, since indices follow no pattern.
     [[nodiscard]] Region region() const {
-        if (index < 3) return static_cast<Region>(index);
-        return regionIn(index < 6 ? shared(index - 3) : own(index - 6), cell);
+        const unsigned place = 5 * index - 6 + (index >= 6 ? 10 * quadrant : 0);
+        const auto word = static_cast<Word2>(book >> (place & 63) & 31);
+        return index < 3 ? static_cast<Region>(index) : regionIn(word, cell);
     }
 };
 

@@ -126,11 +126,13 @@ Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
     const uint64_t transforms = layout == Vq4Layout::vq4 ? (tail & 511) << 3 : tail;
     const auto transform = static_cast<Transform>(transforms >> (3 * group) & 7);
     const Cell cell = storedCell(transform, 4, {x % 4, y % 4});
-    const unsigned known = loadLe<uint16_t>(block.data() + wordStart + size_t{2} * (index - 3));
-    if ((known >> (4 * cell.y + cell.x) & 1) == 0) return Region::mixed;
+    const unsigned mask = loadLe<uint16_t>(block.data() + wordStart + size_t{2} * (index - 3));
+    const unsigned known = mask >> (4 * cell.y + cell.x) & 1U;
     const unsigned part = cell.y / 2 * 2 + cell.x / 2;
     const unsigned place = palettePlaces[static_cast<size_t>(layout)][index - 3][part];
-    return (tail >> place & 1) != 0 ? Region::opaque : Region::transparent;
+    const auto palette = static_cast<unsigned>(tail >> place & 1U);
+    // 1 for mixed, else 0 or 2.
+    return static_cast<Region>(1 - known + 2 * (known & palette));
 }
 
 }  // namespace filigree::quadmap

@@ -17,13 +17,15 @@ struct Cell {
     unsigned y = 0;
 };
 
-// The cell of a stored `side` x `side` grid that stands at `shown` once the grid is transformed.
+// The cell of a stored `side` x `side` grid that stands at `shown` once the grid is transformed. The side is
+// a power of two. No branches, since transforms follow no pattern.
 constexpr Cell storedCell(Transform transform, unsigned side, Cell shown) {
     const unsigned last = side - 1;
-    if ((transform & 4) != 0) shown.x = last - shown.x;
-    if ((transform & 2) != 0) shown.y = last - shown.y;
-    if ((transform & 1) != 0) shown = {last - shown.y, shown.x};
-    return shown;
+    const unsigned turned = 0U - (transform & 1U);
+    const unsigned x = shown.x ^ (last & (0U - (transform >> 2 & 1U)));
+    const unsigned y = shown.y ^ (last & (0U - (transform >> 1 & 1U)));
+    const unsigned exchange = (x ^ y) & turned;
+    return {x ^ exchange ^ (last & turned), y ^ exchange};
 }
 
 // The transform that undoes `transform`: the two quarter turns undo each other, the others themselves.
@@ -33,12 +35,12 @@ constexpr Transform inverse(Transform transform) {
 
 // The transform that does `first`, then `second`.
 constexpr Transform compose(Transform second, Transform first) {
-    const auto corner = [&](Cell cell) { return storedCell(first, 3, storedCell(second, 3, cell)); };
+    const auto corner = [&](Cell cell) { return storedCell(first, 4, storedCell(second, 4, cell)); };
     for (Transform both = 0; both < transformCount; ++both) {
-        const Cell a = storedCell(both, 3, {0, 0});
-        const Cell b = storedCell(both, 3, {2, 0});
+        const Cell a = storedCell(both, 4, {0, 0});
+        const Cell b = storedCell(both, 4, {3, 0});
         const Cell c = corner({0, 0});
-        const Cell d = corner({2, 0});
+        const Cell d = corner({3, 0});
         if (a.x == c.x && a.y == c.y && b.x == d.x && b.y == d.y) return both;
     }
     return 0;
