@@ -28,6 +28,7 @@ struct Node {
 struct Sample {
     Node top;
     uint32_t first = 0;
+    unsigned looked = 0;  // how many entries of the directory led to it
 };
 
 // Before the top node at `first` there are b leaves and a inner nodes with 3a - b = 3 depth -
@@ -41,6 +42,7 @@ Sample sampleAt(uint32_t first, uint32_t leavesBefore, unsigned level) {
 Sample sampleBefore(const uint8_t* directory, const TreeDescriptor& map, uint32_t index) {
     uint32_t sample = 0;
     uint32_t first = 0;
+    unsigned looked = 0;
     for (uint64_t left = sampleCount(map.inner); left > 0;) {
         const auto half = static_cast<uint32_t>((left + 1) / 2);
         const uint32_t middle = loadSample(directory, sample + half, map.level);
@@ -48,8 +50,11 @@ Sample sampleBefore(const uint8_t* directory, const TreeDescriptor& map, uint32_
         sample = after ? sample : sample + half;
         first = after ? first : middle;
         left = after ? half - 1 : left - half;
+        ++looked;
     }
-    return sampleAt(first, sample * static_cast<uint32_t>(sampleStep), map.level);
+    Sample found = sampleAt(first, sample * static_cast<uint32_t>(sampleStep), map.level);
+    found.looked = looked;
+    return found;
 }
 
 // The leaf that holds `index`, from a node at or before it in the structure.
@@ -87,6 +92,16 @@ micromap::State IndexedTreeReader::at(uint32_t map, uint32_t index) const {
     // The relation of sampleAt(), solved for the leaves before.
     const uint32_t digits = digitSum(index >> (2 * (found.level - leaf.depth)));
     return valueAt(values, (3 * (leaf.bit - leaf.depth) + digits) / 4, set_.format);
+}
+
+uint64_t IndexedTreeReader::bitsRead(uint32_t map, uint32_t index) const {
+    const TreeDescriptor found = loadTreeDescriptor(set_, map);
+    const uint8_t* structure = set_.payload.data() + found.offset;
+    const uint8_t* directory = structure + structureBytes(found.inner) + valueBytes(found.inner, set_.format);
+    const Sample sample = sampleBefore(directory, found, index);
+    const Node leaf = leafFrom(structure, sample, found.level, index);
+    return 8 * treeDescriptorBytes + 8ull * sample.looked * sampleBytes(found.level) + leaf.bit -
+           sample.top.bit + 1 + micromap::bitsPerState(set_.format);
 }
 
 }  // namespace filigree::encoding

@@ -42,7 +42,7 @@ float countedShare(const Reader& reader, uint32_t map, uint32_t index, unsigned 
     return static_cast<float>(static_cast<double>(opaque) / static_cast<double>(count));
 }
 
-// `Reader` has mapCount(), level(map), at(map, index), at(map, u, v), both lookup(...), decode(map) and
+// `Reader` has mapCount(), level(map), at(map, index), at(map, u, v), both lookup(...), bitsRead(map, index), decode(map) and
 // parts() as MapReader has them, and opaqueShare(map, index, level) where it knows better than to count.
 template <class Reader>
 class ReaderOf final : public MapReader {
@@ -71,6 +71,9 @@ class ReaderOf final : public MapReader {
         } else {
             return countedShare(reader_, map, index, level);
         }
+    }
+    [[nodiscard]] uint64_t bitsRead(uint32_t map, uint32_t index) const override {
+        return reader_.bitsRead(map, index);
     }
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const override { return reader_.decode(map); }
     [[nodiscard]] std::vector<Part> parts() const override { return reader_.parts(); }

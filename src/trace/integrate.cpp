@@ -94,7 +94,8 @@ class Walker {
     Walker(const World& world, const Opacity& opacity, const RenderSettings& settings, unsigned sample,
            std::vector<Ray>* rays = nullptr)
         : world_(world.data()),
-          caster_(world.data(), opacity.data(), {settings.defer, settings.twoStateShadows}),
+          caster_(world.data(), opacity.data(),
+                  {settings.defer, settings.twoStateShadows, settings.countBitsRead}),
           rays_(rays),
           settings_(settings),
           sample_(sample),

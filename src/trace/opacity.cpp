@@ -65,6 +65,10 @@ struct ByMap final : WithReader<Reader> {
         return this->reader.at(map, u, v);
     }
 
+    [[nodiscard]] uint64_t bitsRead(uint32_t map, float u, float v) const {
+        return this->reader.bitsRead(map, micromap::barycentricsToIndex(u, v, this->reader.level(map)));
+    }
+
     // The others find points in their own ways.
     static constexpr bool hasCurve =
         !std::is_same_v<Reader, encoding::GruenReader> && !std::is_same_v<Reader, encoding::SdagReader>;
@@ -99,6 +103,8 @@ bool acceptByMap(RayContext& context, const Candidate& candidate) {
         return acceptState(context, opacity, candidate, micromap::stateOfSpecialIndex(special));
     }
     ++context.counts->lookups;
+    if (context.countBitsRead) [[unlikely]]
+        context.counts->bitsRead += opacity.bitsRead(index, candidate.u, candidate.v);
     return acceptState(context, opacity, candidate, opacity.at(index, candidate.u, candidate.v));
 }
 
@@ -116,6 +122,8 @@ bool acceptByBitmask(RayContext& context, const Candidate& candidate) {
     // Vertex alpha is in no bitmask.
     if (texture == noIndices || surface.vertexAlphas != nullptr) return acceptUnknown(context, candidate);
     ++context.counts->lookups;
+    if (context.countBitsRead) [[unlikely]]
+        context.counts->bitsRead += opacity.reader.bitsRead();
     const mesh::Uv uv = surface.coordinatesAt(candidate.triangle, candidate.u, candidate.v);
     return acceptState(context, opacity, candidate, opacity.reader.at(texture, uv.u, uv.v));
 }

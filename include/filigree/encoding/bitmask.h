@@ -74,6 +74,9 @@ class BitmaskReader {
         return static_cast<micromap::State>((byte >> (bit % 8)) & stateMask_);
     }
 
+    // Bits of at() (docs/spec/bits-read.md).
+    [[nodiscard]] uint64_t bitsRead() const { return 8 * descriptorBytes + (1u << widthShift_); }
+
     // at(textures[k], u[k], v[k]) into states[k] for all k, in SIMD. All spans have one length.
     void lookup(std::span<const uint32_t> textures, std::span<const float> u, std::span<const float> v,
                 std::span<micromap::State> states) const;

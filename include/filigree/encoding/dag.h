@@ -55,6 +55,8 @@ class DagReader {
     // From the stored shares; to within 1/65535, exact for parts of up to 64 micro-triangles.
     [[nodiscard]] float opaqueShare(uint32_t map, uint32_t index, unsigned level) const;
 
+    // Bits of at() (docs/spec/bits-read.md).
+    [[nodiscard]] uint64_t bitsRead(uint32_t map, uint32_t index) const;
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
     [[nodiscard]] std::vector<Part> parts() const;
 

@@ -72,6 +72,10 @@ class GruenReader {
                 std::span<micromap::State> states) const;
     void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
                 std::span<micromap::State> states) const;
+    // Bits of at(): the record and the state (docs/spec/bits-read.md).
+    [[nodiscard]] uint64_t bitsRead(uint32_t, uint32_t) const {
+        return 8 * micromap::recordBytes + (1u << widthShift_);
+    }
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
     [[nodiscard]] std::vector<Part> parts() const;
 

@@ -31,6 +31,8 @@ class IndexedTreeReader {
                 std::span<micromap::State> states) const;
     void lookup(std::span<const uint32_t> maps, std::span<const float> u, std::span<const float> v,
                 std::span<micromap::State> states) const;
+    // Bits of at() (docs/spec/bits-read.md).
+    [[nodiscard]] uint64_t bitsRead(uint32_t map, uint32_t index) const;
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
     [[nodiscard]] std::vector<Part> parts() const;
 

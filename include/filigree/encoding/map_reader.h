@@ -43,6 +43,9 @@ class MapReader {
     // slow: it looks at every micro-triangle of the part.
     [[nodiscard]] virtual float opaqueShare(uint32_t map, uint32_t index, unsigned level) const = 0;
 
+    // How many bits at(map, index) reads, as docs/spec/bits-read.md counts them.
+    [[nodiscard]] virtual uint64_t bitsRead(uint32_t map, uint32_t index) const = 0;
+
     // All of one map.
     [[nodiscard]] virtual micromap::Quadtree decode(uint32_t map) const = 0;
 

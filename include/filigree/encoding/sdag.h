@@ -46,6 +46,8 @@ class SdagReader {
     // the part has nodes.
     [[nodiscard]] float opaqueShare(uint32_t map, uint32_t index, unsigned level) const;
 
+    // Bits of at() (docs/spec/bits-read.md).
+    [[nodiscard]] uint64_t bitsRead(uint32_t map, uint32_t index) const;
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
     [[nodiscard]] std::vector<Part> parts() const;
 
@@ -245,6 +247,7 @@ class SdagReader {
         return static_cast<micromap::State>(fourState_ ? (pattern >> (2 * at)) & 3 : (pattern >> at) & 1);
     }
 
+    [[nodiscard]] uint64_t bitsReadInLeaf(const uint8_t* leaf, micromap::Planes p) const;
     [[nodiscard]] bool fitsLanes() const;
     template <class PlanesOfSome>
     void lookupInChunks(std::span<const uint32_t> maps, std::span<micromap::State> states,

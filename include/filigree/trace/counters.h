@@ -19,7 +19,7 @@ struct RayCounts {
     uint64_t lookups = 0;         // of states; special indices need none
     uint64_t unknown = 0;         // candidates that no state decided
     uint64_t textureFetches = 0;  // any-hit calls: texture coordinates interpolated, alpha filtered
-    uint64_t bitsRead = 0;        // by lookups, where they are counted
+    uint64_t bitsRead = 0;        // by lookups, where they are counted; docs/spec/bits-read.md
 
     void add(const RayCounts& other) {
         rays += other.rays;

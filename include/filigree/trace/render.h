@@ -40,6 +40,8 @@ struct RenderSettings {
     bool defer = false;
     // Shadow and AO rays read 4-state maps as 2-state.
     bool twoStateShadows = false;
+    // Fill RayCounts::bitsRead and Film::bitsRead, which looks everything up twice.
+    bool countBitsRead = false;
 };
 inline constexpr uint32_t maxPictureSide = 16384;
 

@@ -16,8 +16,8 @@ namespace filigree::trace {
 
 struct WorldOptions {
     bool blend = true;  // BLEND materials are stochastically transparent; otherwise opaque
-    // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8 bits;
-    // otherwise a copy of the alpha alone.
+    // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8
+    // bits; otherwise a copy of the alpha alone.
     bool alphaAmongColours = false;
 };
 
@@ -27,11 +27,13 @@ struct Box {
     Vec3 high{0, 0, 0};
     [[nodiscard]] bool empty() const { return !(low[0] <= high[0]); }
     [[nodiscard]] float diagonal() const;
+    [[nodiscard]] Vec3 corner(unsigned k) const;  // k < 8; bit b of k takes the high end of axis b
 };
 
 // Meshes are built once and instanced. A surface is one primitive of a mesh, with its material; they are
-// numbered over all meshes in scene order, primitives without triangles left out. Vertices or transforms that
-// are not finite drop their triangle or instance, with a note.
+// numbered over all meshes in scene order, primitives without triangles left out. Vertices that are not
+// finite drop their triangle, and transforms that are not, have no inverse or lead further than 10^8 units
+// drop their instance, with a note.
 class World {
   public:
     // `scene` must outlive the world; its images need their colour and alpha decoded
