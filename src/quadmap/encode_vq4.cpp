@@ -14,11 +14,11 @@ Vq4Block encode(const Square& square, Vq4Layout layout, Vq4Method method, Prefer
             case Vq4Method::paper:
                 return paperVq4(demand);
             case Vq4Method::fast:
-                return searchVq4(demand, {1, 4, 2, 0});
+                return searchVq4(demand, {2, 6, 2, 0});
             case Vq4Method::best:
                 break;
         }
-        return searchVq4(demand, {4, 8, 2, 300});
+        return searchVq4(demand, {4, 8, 2, 600});
     }();
     return pack(mapOf(square, book, layout, weights), layout);
 }
