@@ -1,6 +1,7 @@
 #include "trace/cast.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace filigree::trace {
 namespace {
@@ -22,6 +23,14 @@ RTCRay embreeRay(const Ray& from) {
     return ray;
 }
 
+// Embree asserts that rays are finite and not far beyond the scene, also in the space of an instance.
+bool isUsable(const Ray& ray) {
+    const auto within = [](const Vec3& v, float limit) {
+        return std::ranges::all_of(v, [&](float x) { return std::fabs(x) <= limit; });
+    };
+    return within(ray.origin, 10 * worldReach) && within(ray.direction, 2) && ray.length >= 0;
+}
+
 }  // namespace
 
 RayContext Caster::contextOf(const Ray& ray) {
@@ -40,6 +49,7 @@ RayContext Caster::contextOf(const Ray& ray) {
 
 std::optional<RTCHit> Caster::nearestHit(const Ray& ray) {
     RayContext context = contextOf(ray);
+    if (!isUsable(ray)) return std::nullopt;
     RTCRayHit found;
     found.ray = embreeRay(ray);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -51,6 +61,7 @@ std::optional<RTCHit> Caster::nearestHit(const Ray& ray) {
 
 bool Caster::isOccluded(const Ray& ray) {
     RayContext context = contextOf(ray);
+    if (!isUsable(ray)) return false;
     DeferredCandidates deferred;
     if (options_.defer) context.deferred = &deferred;
     RTCRay found = embreeRay(ray);

@@ -24,11 +24,6 @@ Vec3 towards(unsigned direction, float elevation) {
             std::sin(angle) * std::cos(elevation)};
 }
 
-Vec3 cornerOf(const Box& box, unsigned corner) {
-    return {(corner & 1) != 0 ? box.high[0] : box.low[0], (corner & 2) != 0 ? box.high[1] : box.low[1],
-            (corner & 4) != 0 ? box.high[2] : box.low[2]};
-}
-
 // Looks along -`from` at all of the box, from as near as it fits.
 scene::Camera outside(const Box& box, const Vec3& from, float aspect) {
     const Vec3 centre = times(plus(box.low, box.high), 0.5F);
@@ -39,7 +34,7 @@ scene::Camera outside(const Box& box, const Vec3& from, float aspect) {
     const float slope = std::tan(fov / 2);
     float distance = 1e-3F;
     for (unsigned k = 0; k < 8; ++k) {
-        const Vec3 corner = minus(cornerOf(box, k), centre);
+        const Vec3 corner = minus(box.corner(k), centre);
         const float reach =
             std::max(std::fabs(dot(corner, right)) / (slope * aspect), std::fabs(dot(corner, above)) / slope);
         distance = std::max(distance, dot(corner, from) + reach);

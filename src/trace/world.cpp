@@ -28,6 +28,27 @@ void extend(Box& box, const Vec3& point) {
     }
 }
 
+// True where a transform has an inverse, and both stay within worldReach.
+bool isUsable(const std::array<float, 16>& m, const Box& box) {
+    if (!isFinite(m)) return false;
+    const Vec3 x{m[0], m[1], m[2]};
+    const Vec3 y{m[4], m[5], m[6]};
+    const Vec3 z{m[8], m[9], m[10]};
+    const std::array<Vec3, 3> cofactors{cross(y, z), cross(z, x), cross(x, y)};
+    const float volume = std::fabs(dot(x, cofactors[0]));
+    for (const Vec3& cofactor : cofactors) {
+        for (const float c : cofactor) {
+            if (!(std::fabs(c) < worldReach * volume)) return false;
+        }
+    }
+    for (unsigned k = 0; k < 8 && !box.empty(); ++k) {
+        for (const float c : transformed(m, box.corner(k))) {
+            if (!(std::fabs(c) < worldReach)) return false;
+        }
+    }
+    return true;
+}
+
 class Builder {
   public:
     Builder(const scene::Scene& scene, const WorldOptions& options, World::Data& to)
@@ -43,7 +64,8 @@ class Builder {
         for (const auto& mesh : scene_.meshes) addMesh(mesh);
         placeInstances();
         note("triangles with vertices that are not finite, left out", droppedTriangles_);
-        note("instances with transforms that are not finite, left out", droppedInstances_);
+        note("instances with transforms that are not finite, flatten to nothing or reach too far, left out",
+             droppedInstances_);
         if (rtcGetDeviceError(to_.device.get()) == RTC_ERROR_NONE) return {};
         return Error{ErrorKind::limit, "the scene does not fit into memory under Embree"};
     }
@@ -148,7 +170,7 @@ class Builder {
         rtcSetSceneFlags(to_.top.get(), RTC_SCENE_FLAG_ROBUST);
         for (const auto& instance : scene_.instances) {
             if (triangles_[instance.mesh] == 0) continue;
-            if (!isFinite(instance.transform)) {
+            if (!isUsable(instance.transform, boxes_[instance.mesh])) {
                 ++droppedInstances_;
                 continue;
             }
@@ -167,12 +189,8 @@ class Builder {
         to_.placements.push_back({instance.mesh, instance.transform});
         to_.triangleCount += triangles_[instance.mesh];
         const Box& box = boxes_[instance.mesh];
-        for (unsigned corner = 0; corner < 8; ++corner) {
-            const Vec3 point{(corner & 1) != 0 ? box.high[0] : box.low[0],
-                             (corner & 2) != 0 ? box.high[1] : box.low[1],
-                             (corner & 4) != 0 ? box.high[2] : box.low[2]};
-            if (!box.empty()) extend(to_.bounds, transformed(instance.transform, point));
-        }
+        if (box.empty()) return;
+        for (unsigned k = 0; k < 8; ++k) extend(to_.bounds, transformed(instance.transform, box.corner(k)));
     }
 
     void note(std::string_view what, uint64_t count) {
@@ -195,6 +213,11 @@ mesh::Uv Surface::coordinatesAt(uint32_t triangle, float u, float v) const {
     const mesh::UvTriangle t = primitive->uvTriangle(triangle);
     return {static_cast<float>(mixed(t.uv[0].u, t.uv[1].u, t.uv[2].u, u, v)),
             static_cast<float>(mixed(t.uv[0].v, t.uv[1].v, t.uv[2].v, u, v))};
+}
+
+Vec3 Box::corner(unsigned k) const {
+    return {(k & 1) != 0 ? high[0] : low[0], (k & 2) != 0 ? high[1] : low[1],
+            (k & 4) != 0 ? high[2] : low[2]};
 }
 
 float Box::diagonal() const {

@@ -68,6 +68,10 @@ struct ReleaseScene {
 using DeviceOwner = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using SceneOwner = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
+// How far from the origin things may lie, and how much smaller than the world a mesh's own space may be, so
+// that single precision bears both.
+inline constexpr float worldReach = 1e8F;
+
 // One placement of a mesh.
 struct Placement {
     unsigned mesh = 0;

@@ -35,8 +35,9 @@ struct RenderOptions {
     std::filesystem::path output;  // .png
     std::string method = "micromap";
     unsigned states = 4;            // 4: unknown states fetch the texture; 2: their side decides
-    std::optional<unsigned> level;  // of a bake; none: the highest useful level per triangle, at most 8
-    // `states` and `level` were asked for. Without, a file's own micromaps are taken where it has any.
+    std::optional<unsigned> level;  // of a bake; none: the highest useful one per triangle, at most 8
+    // `states` and `level` were asked for. Without a level a file's own micromaps are taken where it has any,
+    // and otherwise the highest useful level is at most 6.
     bool statesGiven = false;
     bool levelGiven = false;
     std::string integrator = "ao";
