@@ -91,7 +91,8 @@ void addCompress(CLI::App& app, Commands& commands) {
         ->required()
         ->type_name("OUT");
     verb.add_option("--encoding", options->encoding,
-                    "flat, gruen, bitmask, tree, indexed-tree, dag or sdag, the default")
+                    "flat, gruen, bitmask, tree, indexed-tree, dag or sdag, the default; squares of triangle "
+                    "pairs: vq2, vq2+, vq4, vq4+")
         ->type_name("NAME");
     verb.add_flag("--zstd", options->zstd, "Compress the sections of the file that become smaller");
     verb.add_flag("--aggregates", options->aggregates,

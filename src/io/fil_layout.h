@@ -19,6 +19,8 @@ inline constexpr uint32_t filMaxSections = 64;
 inline constexpr uint64_t filAlignment = 64;
 inline constexpr uint8_t filNoLevel = 255;
 inline constexpr uint32_t filSpecials = 4;
+inline constexpr uint8_t filFirstSquares = 16;  // from here on encodings of squares: vq2, vq2+, vq4, vq4+
+inline constexpr uint8_t filSquareFormats = 4;
 
 // The most bytes a section may have.
 inline constexpr uint64_t filMostMetaBytes = uint64_t{1} << 30;

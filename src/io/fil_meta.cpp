@@ -123,6 +123,20 @@ FilGroup takeGroup(ByteReader& from) {
     return group;
 }
 
+void takeEncoding(ByteReader& from, FilHead& head) {
+    const size_t at = from.position();
+    const auto code = from.take<uint8_t>("the encoding");
+    if (code < encoding::encodingCount) {
+        head.encoding = static_cast<encoding::Encoding>(code);
+    } else if (code >= filFirstSquares && code < filFirstSquares + filSquareFormats) {
+        head.squares = static_cast<quadmap::SquareFormat>(code - filFirstSquares);
+    } else {
+        from.fail(at, fmt::format("the encoding is {}, expected 0 to {} or {} to {}", code,
+                                  encoding::encodingCount - 1, filFirstSquares,
+                                  filFirstSquares + filSquareFormats - 1));
+    }
+}
+
 void takePrimitives(ByteReader& from, FilMeta& meta) {
     const uint32_t count = from.takeCount("primitives", primitiveBytes);
     meta.primitives.reserve(count);
@@ -155,13 +169,15 @@ uint64_t FilMeta::triangleCount() const {
     return sum;
 }
 
-std::vector<uint8_t> encodeMeta(const FilMeta& meta, const encoding::EncodedView& set) {
+std::vector<uint8_t> encodeMeta(const FilHead& head) {
+    const FilMeta& meta = head.meta;
     ByteWriter to;
-    to.put(static_cast<uint8_t>(set.encoding));
-    to.put(static_cast<uint8_t>(set.format));
+    to.put(head.squares ? static_cast<uint8_t>(filFirstSquares + static_cast<unsigned>(*head.squares))
+                        : static_cast<uint8_t>(head.encoding));
+    to.put(static_cast<uint8_t>(head.format));
     to.put(static_cast<uint8_t>(meta.level.value_or(filNoLevel)));
     to.put(uint8_t{0});
-    to.put(set.mapCount);
+    to.put(head.mapCount);
     to.put(meta.asset.bytes);
     to.put(meta.asset.hash[0]);
     to.put(meta.asset.hash[1]);
@@ -178,8 +194,7 @@ std::vector<uint8_t> encodeMeta(const FilMeta& meta, const encoding::EncodedView
 Result<FilHead> decodeMeta(std::span<const uint8_t> bytes) {
     ByteReader from(bytes);
     FilHead head;
-    head.encoding =
-        static_cast<encoding::Encoding>(from.take<uint8_t>("the encoding", 0, encoding::encodingCount - 1));
+    takeEncoding(from, head);
     head.format = static_cast<micromap::Format>(from.take<uint8_t>("the format", 1, 2));
     const size_t levelAt = from.position();
     const auto level = from.take<uint8_t>("the level");

@@ -1,6 +1,7 @@
 #include "filigree/core/bytes.h"
 #include "filigree/core/file.h"
 #include "filigree/io/fil.h"
+#include "filigree/io/fil_squares.h"
 
 #include "io/fil_layout.h"
 #include "io/fil_meta.h"
@@ -26,21 +27,27 @@ void compress(Section& section) {
     if (frame.size() < section.plain.size()) section.frame = std::move(frame);
 }
 
-std::vector<uint8_t> packIndices(const FilContents& contents) {
-    const unsigned bits = filIndexBits(contents.set.encoding, contents.set.mapCount);
-    std::vector<uint8_t> bytes(
-        filIndexBytes(contents.set.encoding, contents.set.mapCount, contents.indices.size()));
+std::vector<uint8_t> packIndices(std::span<const int32_t> indices, unsigned bits) {
+    std::vector<uint8_t> bytes((indices.size() * bits + 7) / 8);
     uint64_t waiting = 0;
     unsigned count = 0;
     size_t at = 0;
-    for (const int32_t index : contents.indices) {
+    for (const int32_t index : indices) {
         const uint64_t code = index < 0 ? static_cast<uint64_t>(-1 - index) : uint64_t(index) + filSpecials;
-        assert(code < uint64_t{contents.set.mapCount} + filSpecials);
+        assert(code >> bits == 0);
         waiting |= code << count;
         for (count += bits; count >= 8; count -= 8, waiting >>= 8)
             bytes[at++] = static_cast<uint8_t>(waiting);
     }
     if (count > 0) bytes[at] = static_cast<uint8_t>(waiting);
+    return bytes;
+}
+
+// Half a byte a triangle, the first of each byte in its low half.
+std::vector<uint8_t> packPlaces(std::span<const SquarePlace> places) {
+    std::vector<uint8_t> bytes((places.size() + 1) / 2);
+    for (size_t k = 0; k < places.size(); ++k)
+        bytes[k / 2] |= static_cast<uint8_t>(codeOf(places[k]) << (4 * (k % 2)));
     return bytes;
 }
 
@@ -70,6 +77,24 @@ std::vector<uint8_t> tableOf(const std::vector<Section>& sections) {
     return bytes;
 }
 
+// Writes the file of the sections and gives its size.
+Result<uint64_t> writeSections(const std::filesystem::path& path, std::vector<Section> sections, bool zstd) {
+    for (Section& section : sections) {
+        if (zstd) compress(section);
+    }
+    const std::vector<uint8_t> table = tableOf(sections);
+    static constexpr std::array<uint8_t, filAlignment> zeros{};
+    std::vector<std::span<const uint8_t>> pieces{table};
+    uint64_t end = table.size();
+    for (const Section& section : sections) {
+        pieces.push_back(std::span(zeros).first(filAligned(end) - end));
+        pieces.push_back(section.stored());
+        end = filAligned(end) + section.stored().size();
+    }
+    if (const Status status = writeFile(path, pieces); !status) return status.error();
+    return end;
+}
+
 }  // namespace
 
 unsigned filIndexBits(encoding::Encoding encoding, uint32_t mapCount) {
@@ -85,28 +110,33 @@ Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& 
     assert(contents.set.mapCount <= INT32_MAX);
     assert(contents.indices.size() ==
            (contents.set.encoding == encoding::Encoding::bitmask ? 0 : contents.meta.triangleCount()));
-    const std::vector<uint8_t> meta = encodeMeta(contents.meta, contents.set);
-    const std::vector<uint8_t> indices = packIndices(contents);
+    const encoding::EncodedView& set = contents.set;
+    const std::vector<uint8_t> meta = encodeMeta({contents.meta, set.encoding, set.format, set.mapCount, {}});
+    const auto indices = packIndices(contents.indices, filIndexBits(set.encoding, set.mapCount));
     std::vector<Section> sections;
     sections.push_back({FilKind::meta, meta, {}});
     sections.push_back({FilKind::indices, indices, {}});
-    sections.push_back({FilKind::descriptors, contents.set.descriptors, {}});
-    sections.push_back({FilKind::payload, contents.set.payload, {}});
+    sections.push_back({FilKind::descriptors, set.descriptors, {}});
+    sections.push_back({FilKind::payload, set.payload, {}});
     if (!contents.pairs.empty()) sections.push_back({FilKind::pairs, contents.pairs, {}});
-    for (Section& section : sections) {
-        if (zstd) compress(section);
-    }
-    const std::vector<uint8_t> table = tableOf(sections);
-    static constexpr std::array<uint8_t, filAlignment> zeros{};
-    std::vector<std::span<const uint8_t>> pieces{table};
-    uint64_t end = table.size();
-    for (const Section& section : sections) {
-        pieces.push_back(std::span(zeros).first(filAligned(end) - end));
-        pieces.push_back(section.stored());
-        end = filAligned(end) + section.stored().size();
-    }
-    if (const Status status = writeFile(path, pieces); !status) return status.error();
-    return end;
+    return writeSections(path, std::move(sections), zstd);
+}
+
+Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSquares& squares, bool zstd) {
+    assert(squares.places.size() == squares.meta.triangleCount());
+    assert(squares.indices.size() == squares.meta.triangleCount());
+    const auto mapCount = static_cast<uint32_t>(squares.blocks.size() / blockBytesOf(squares.format));
+    FilHead head{squares.meta, {}, micromap::Format::fourState, mapCount, squares.format};
+    head.meta.level.reset();
+    const std::vector<uint8_t> meta = encodeMeta(head);
+    const auto indices = packIndices(squares.indices, filIndexBits(head.encoding, mapCount));
+    const auto places = packPlaces(squares.places);
+    std::vector<Section> sections;
+    sections.push_back({FilKind::meta, meta, {}});
+    sections.push_back({FilKind::indices, indices, {}});
+    sections.push_back({FilKind::descriptors, places, {}});
+    sections.push_back({FilKind::payload, squares.blocks, {}});
+    return writeSections(path, std::move(sections), zstd);
 }
 
 }  // namespace filigree::io

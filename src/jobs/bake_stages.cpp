@@ -9,21 +9,6 @@
 namespace filigree::jobs {
 namespace {
 
-AlphaSource sourceToBake(const scene::Material& material, const BakeParameters& parameters) {
-    AlphaSource source = sourceOf(material);
-    if (source.test.mode == image::AlphaMode::mask) {
-        source.test.cutoff = parameters.cutoff.value_or(source.test.cutoff);
-    }
-    source.test.mips = parameters.mips;
-    source.test.guard = parameters.guard;
-    return source;
-}
-
-bool isBaked(const scene::Material& material, const BakeParameters& parameters) {
-    return material.alphaMode == scene::AlphaMode::mask ||
-           (material.alphaMode == scene::AlphaMode::blend && parameters.includeBlend);
-}
-
 // Drops the micromaps the scene came with and sorts the primitives that get new ones by alpha source.
 std::vector<AlphaGroup> gatherGroups(scene::Scene& scene, const BakeParameters& parameters,
                                      BakeSummary& summary) {
@@ -87,6 +72,21 @@ void noteLost(const BakedGroup& group, BakeSummary& summary) {
 }
 
 }  // namespace
+
+AlphaSource sourceToBake(const scene::Material& material, const BakeParameters& parameters) {
+    AlphaSource source = sourceOf(material);
+    if (source.test.mode == image::AlphaMode::mask) {
+        source.test.cutoff = parameters.cutoff.value_or(source.test.cutoff);
+    }
+    source.test.mips = parameters.mips;
+    source.test.guard = parameters.guard;
+    return source;
+}
+
+bool isBaked(const scene::Material& material, const BakeParameters& parameters) {
+    return material.alphaMode == scene::AlphaMode::mask ||
+           (material.alphaMode == scene::AlphaMode::blend && parameters.includeBlend);
+}
 
 Result<std::vector<BakedGroup>> bakeGroups(scene::Scene& scene, const BakeParameters& parameters,
                                            const Executor& executor, ProgressSink& progress,

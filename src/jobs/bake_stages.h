@@ -23,6 +23,10 @@ struct BakedGroup {
     bake::Baked baked;  // indices of all its primitives, one after another
 };
 
+// Whether the primitives of a material get micromaps, and what these are baked from.
+bool isBaked(const scene::Material& material, const BakeParameters& parameters);
+AlphaSource sourceToBake(const scene::Material& material, const BakeParameters& parameters);
+
 // Drops the micromaps that the scene came with, sorts the primitives that get new ones by alpha source and
 // bakes each group, by the order in which the sources occur. Counts triangles and notes into `summary`. The
 // groups look into `scene`. The budget is left to the caller.

@@ -3,10 +3,12 @@
 #include "filigree/io/fil.h"
 #include "filigree/io/gltf.h"
 
+#include "jobs/compress_squares.h"
 #include "jobs/encode_scene.h"
 #include "jobs/encoded_json.h"
 #include "jobs/loss.h"
 #include "jobs/peak_memory.h"
+#include "jobs/scene_squares.h"
 #include "jobs/stopwatch.h"
 
 #include <fmt/format.h>
@@ -100,6 +102,8 @@ Status write(const CompressOptions& options, const SceneMaps& maps, const OneBit
 Result<CompressSummary> compress(const CompressOptions& options, const Executor& executor,
                                  ProgressSink& progress) {
     if (auto checked = check(options.parameters); !checked) return checked.error();
+    if (const auto format = squareFormatNamed(options.encoding))
+        return compressSquares(options, *format, executor, progress);
     const auto encoding = findEncoding(options.encoding);
     if (!encoding) return encoding.error();
     if (auto checked = check(options.loss, *encoding); !checked) return checked.error();

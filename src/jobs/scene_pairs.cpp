@@ -1,8 +1,10 @@
 #include "jobs/scene_pairs.h"
 
+#include "jobs/bake_stages.h"
+
 #include <array>
 #include <bit>
-#include <set>
+#include <map>
 
 namespace filigree::jobs {
 namespace {
@@ -34,17 +36,14 @@ PairedPrimitive paired(const scene::Primitive& primitive) {
 
 }  // namespace
 
-std::vector<PairGroup> pairGroups(const scene::Scene& scene, std::optional<double> cutoff, double guard) {
+std::vector<PairGroup> pairGroups(const scene::Scene& scene, const BakeParameters& parameters) {
     std::vector<ConstAlphaGroup> groups;
     for (const auto& mesh : scene.meshes) {
         for (const auto& primitive : mesh.primitives) {
             if (primitive.material < 0 || primitive.triangleCount() == 0) continue;
             const auto& material = scene.materials[static_cast<size_t>(primitive.material)];
-            if (material.alphaMode != scene::AlphaMode::mask) continue;
-            AlphaSource source = sourceOf(material);
-            source.test.cutoff = cutoff.value_or(source.test.cutoff);
-            source.test.guard = guard;
-            addToGroup(groups, source, primitive);
+            if (!isBaked(material, parameters)) continue;
+            addToGroup(groups, sourceToBake(material, parameters), primitive);
         }
     }
     std::vector<PairGroup> pairs;
@@ -62,16 +61,20 @@ SquarePair squarePair(const scene::Primitive& primitive, const mesh::TrianglePai
     return square;
 }
 
-std::vector<SquarePair> distinctPairs(const PairGroup& group) {
-    std::vector<SquarePair> pairs;
-    std::set<std::array<uint32_t, 19>> seen;
+DistinctPairs distinctPairs(const PairGroup& group) {
+    DistinctPairs distinct;
+    std::map<std::array<uint32_t, 19>, uint32_t> seen;
     for (const PairedPrimitive& primitive : group.primitives) {
+        std::vector<uint32_t>& of = distinct.of.emplace_back();
         for (const mesh::TrianglePair& pair : primitive.pairs) {
             SquarePair square = squarePair(*primitive.primitive, pair);
-            if (seen.insert(kindOf(square)).second) pairs.push_back(square);
+            const auto next = static_cast<uint32_t>(distinct.pairs.size());
+            const auto [place, isNew] = seen.try_emplace(kindOf(square), next);
+            if (isNew) distinct.pairs.push_back(square);
+            of.push_back(place->second);
         }
     }
-    return pairs;
+    return distinct;
 }
 
 }  // namespace filigree::jobs

@@ -5,6 +5,7 @@
 #include "filigree/encoding/one_bit.h"
 #include "filigree/io/api_blob.h"
 #include "filigree/io/fil.h"
+#include "filigree/io/fil_squares.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_rules.h"
 
@@ -50,7 +51,14 @@ Status refused(const Error& error, const std::string& path, const std::string& r
     return {};
 }
 
+Status validateSquares(const ValidateOptions& options, ValidateSummary& summary) {
+    if (options.deep) summary.notes.push_back("a .fil of squares is checked by its rules alone");
+    const auto file = io::FilSquareFile::read(options.input);
+    return file ? Status() : refused(file.error(), "container", "fil-container", summary);
+}
+
 Status validateFil(const ValidateOptions& options, ValidateSummary& summary) {
+    if (io::squaresIn(options.input)) return validateSquares(options, summary);
     const auto file = io::FilFile::read(options.input);
     if (!file) return refused(file.error(), "container", "fil-container", summary);
     if (options.deep)

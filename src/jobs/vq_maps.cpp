@@ -51,7 +51,7 @@ VqInput inputOf(const scene::Scene& scene, const PairGroup& group, const VqOptio
     input.texture = textureOf(scene, group.source);
     input.test = testFor(group.source, input.texture);
     input.crop = wholeOf(input.texture.image);
-    input.pairs = spread(distinctPairs(group), options.mapsPerTexture);
+    input.pairs = spread(distinctPairs(group).pairs, options.mapsPerTexture);
     input.pairCount = 0;
     for (const PairedPrimitive& primitive : group.primitives) {
         for (const mesh::TrianglePair& pair : primitive.pairs)
@@ -97,7 +97,10 @@ Result<std::vector<VqInput>> readVqScene(const std::filesystem::path& path, cons
     if (!scene) return scene.error();
     notes.insert(notes.end(), scene->notes.begin(), scene->notes.end());
     std::vector<VqInput> inputs;
-    for (const PairGroup& group : pairGroups(*scene, options.cutoff, options.guard))
+    BakeParameters parameters;
+    parameters.cutoff = options.cutoff;
+    parameters.guard = options.guard;
+    for (const PairGroup& group : pairGroups(*scene, parameters))
         inputs.push_back(inputOf(*scene, group, options));
     if (inputs.empty()) notes.push_back(path.filename().string() + ": no masked triangles");
     return inputs;

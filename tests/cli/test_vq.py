@@ -46,6 +46,21 @@ class Vq(CliTest):
         self.assertEqual(len(self.result("r.json")["textures"]), 1)
         self.assertFalse([name for name in self.files() if name.endswith(".png") and name.startswith("out/")])
 
+    def test_compress_as_squares(self):
+        for encoding, size in (("vq2", 32), ("vq2+", 32), ("vq4", 64), ("vq4+", 64)):
+            for options in ([], ["--zstd"], ["--threads", "1"]):
+                self.expect_done("compress", "in.glb", "-o", "x.fil", "--encoding", encoding, "--json", "c.json", *options)
+                self.expect_done("validate", "x.fil")
+            result = json.loads((self.folder / "c.json").read_text())
+            self.assertEqual((result["encoding"], result["maps"], result["payload_bytes"]), (encoding, 1, size))
+            self.expect_error(1, "expand", "x.fil", "--asset", "in.glb", "-o", "y.glb",
+                              says=f"holds opacity squares ({encoding})")
+        for option in (["--level", "3"], ["--states", "2"], ["--aggregates"], ["--one-bit"], ["--max-bytes", "1K"]):
+            self.expect_error(2, "compress", "in.glb", "-o", "y.fil", "--encoding", "vq2", *option, says=option[0])
+        data = (self.folder / "x.fil").read_bytes()
+        self.write("cut.fil", data[:-1])
+        self.assertEqual(self.run_program("validate", "cut.fil").returncode, 1)
+
     def test_bad_input(self):
         self.write("empty.png", b"")
         self.write("black.png", png(4, 4, lambda x, y: 0))

@@ -127,20 +127,25 @@ TEST(Vq, PreferKeepsMoreOfAState) {
 
 TEST(ScenePairs, EqualPairsAreOne) {
     scene::Scene scene = tests::sceneOf({tests::masked(0), tests::masked(0)});
-    const auto groups = pairGroups(scene, std::nullopt, 0);
+    BakeParameters own;
+    BakeParameters half;
+    half.cutoff = 0.5;
+    const auto groups = pairGroups(scene, own);
     ASSERT_EQ(groups.size(), 1u);
     ASSERT_EQ(groups[0].primitives.size(), 2u);
     ASSERT_EQ(groups[0].primitives[0].pairs.size(), 1u);
-    const auto pairs = distinctPairs(groups[0]);
+    const auto distinct = distinctPairs(groups[0]);
+    EXPECT_EQ(distinct.of, (std::vector<std::vector<uint32_t>>{{0}, {0}}));
+    const auto& pairs = distinct.pairs;
     ASSERT_EQ(pairs.size(), 1u);
     ASSERT_TRUE(pairs[0].second);
     EXPECT_EQ(pairs[0].first.uv[1], pairs[0].second->uv[2]);
     EXPECT_EQ(pairs[0].first.uv[2], pairs[0].second->uv[1]);
     scene.materials[1].cutoff = 0.25;
-    EXPECT_EQ(pairGroups(scene, std::nullopt, 0).size(), 2u);
-    EXPECT_EQ(pairGroups(scene, 0.5, 0).size(), 1u);
+    EXPECT_EQ(pairGroups(scene, own).size(), 2u);
+    EXPECT_EQ(pairGroups(scene, half).size(), 1u);
     scene.materials[1].alphaMode = scene::AlphaMode::opaque;
-    EXPECT_EQ(pairGroups(scene, std::nullopt, 0)[0].primitives.size(), 1u);
+    EXPECT_EQ(pairGroups(scene, own)[0].primitives.size(), 1u);
 }
 
 }  // namespace

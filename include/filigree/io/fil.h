@@ -102,7 +102,6 @@ class FilFile {
   private:
     FilFile() = default;
     Status open(std::span<const uint8_t> bytes, const FilReadOptions& options);
-    [[nodiscard]] Status checkIndices() const;
 
     MappedFile mapped_;
     std::vector<uint8_t> bytes_;
