@@ -5,10 +5,9 @@
 #include "filigree/report/number.h"
 
 #include "jobs/demo_scene.h"
+#include "jobs/demo_views.h"
 #include "jobs/inspection.h"
 #include "jobs/json_text.h"
-#include "jobs/one_stage.h"
-#include "jobs/scene_view.h"
 
 #include <string>
 #include <vector>
@@ -20,15 +19,9 @@ namespace {
 
 constexpr const char* sceneFile = "scene.glb";
 constexpr const char* bakedFile = "scene_omm.glb";
-constexpr uint32_t viewWidth = 1200;  // pixels
-constexpr uint32_t viewHeight = 800;
 
 std::string command(std::initializer_list<std::string> words) {
     return shellCommand(std::vector<std::string>(words));
-}
-
-std::string demoCommand(const std::filesystem::path& folder) {
-    return command({"filigree", "demo", "-o", folder.string()});
 }
 
 Status writeScene(const std::filesystem::path& path) {
@@ -83,37 +76,15 @@ Result<scene::Scene> readBaked(const DemoSummary& summary) {
     if (!document) return document.error();
     io::ReadOptions reading;
     reading.blendAlpha = true;
-    reading.colour = true;
     return io::readScene(*document, reading);
-}
-
-// A picture from each camera.
-Result<report::Section> viewSection(const scene::Scene& scene, const std::filesystem::path& folder,
-                                    const Executor& executor, ProgressSink& progress,
-                                    InspectSummary& summary) {
-    report::Section section{"The scene", {}};
-    OneStage stage(progress, "draw", scene.cameras.size(), "views");
-    for (size_t i = 0; i < scene.cameras.size(); ++i) {
-        const Canvas view = drawView(scene, scene.cameras[i], viewWidth, viewHeight, executor);
-        auto png = view.png();
-        if (!png) return png.error();
-        const std::string file = fmt::format("view-{:02}.png", i + 1);
-        auto picture = writePicture(folder, file, std::move(*png), viewWidth, viewHeight,
-                                    "The demo scene from camera " + scene.cameras[i].name);
-        if (!picture) return picture.error();
-        summary.pictures.emplace_back(file);
-        section.blocks.emplace_back(report::Figure{
-            std::move(*picture), "From camera \"" + scene.cameras[i].name + "\".", demoCommand(folder)});
-        stage.advance(1);
-    }
-    return section;
 }
 
 report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> sections) {
     report::Page page;
     page.title = "Filigree demo";
     page.lead =
-        "A glade made in code, baked to opacity micromaps, proved right and drawn. Trees, ferns, grass, "
+        "A glade made in code, baked to opacity micromaps, proved right and rendered with and without them. "
+        "Trees, ferns, grass, "
         "blossoms and "
         "a chain-link fence are flat cards that alpha textures cut out.";
     page.sections = std::move(sections);
@@ -134,10 +105,13 @@ Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::
     if (!inspection) return inspection.error();
     summary.inspection = std::move(inspection->summary);
     summary.inspection.page = summary.page;
-    auto views = viewSection(*scene, folder, executor, progress, summary.inspection);
+    auto views = drawDemoViews(summary.baked, scene->cameras.size(), folder, executor, progress);
     if (!views) return views.error();
+    summary.views = std::move(views->renders);
+    summary.inspection.pictures.insert(summary.inspection.pictures.end(), views->files.begin(),
+                                       views->files.end());
     std::vector<report::Section> sections = std::move(inspection->sections);
-    sections.insert(sections.begin(), std::move(*views));
+    sections.insert(sections.begin(), std::move(views->section));
     return sections;
 }
 
@@ -181,12 +155,13 @@ Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, P
 }
 
 std::string toJson(const DemoSummary& s) {
-    const Json json = {{"page", s.page.string()},
-                       {"scene", s.scene.string()},
-                       {"baked", s.baked.string()},
-                       {"bake", Json::parse(toJson(s.bake))},
-                       {"validate", Json::parse(toJson(s.validation))},
-                       {"inspect", Json::parse(toJson(s.inspection))}};
+    Json json = {{"page", s.page.string()},
+                 {"scene", s.scene.string()},
+                 {"baked", s.baked.string()},
+                 {"bake", Json::parse(toJson(s.bake))},
+                 {"validate", Json::parse(toJson(s.validation))},
+                 {"inspect", Json::parse(toJson(s.inspection))}};
+    for (const RenderSummary& view : s.views) json["render"].push_back(Json::parse(toJson(view)));
     return dump(json);
 }
 

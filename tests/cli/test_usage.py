@@ -6,7 +6,7 @@ from asset import leaf
 from program import CliTest
 
 VERBS = (["bake"], ["compress"], ["expand"], ["compare"], ["validate"], ["inspect"], ["vq"], ["bench", "bake"], ["bench", "lookup"],
-         ["bench", "encode"], ["demo"])
+         ["bench", "encode"], ["render"], ["demo"])
 
 
 class Usage(CliTest):
@@ -38,7 +38,7 @@ class Usage(CliTest):
                 self.expect_error(2, *bake, f"{option}={value}", says=option)
 
     def test_verbs_to_come(self):
-        self.expect_error(2, "render", "in.glb", "-o", "out.png", says="not in this version")
+        self.expect_error(2, "grids", "in.glb", "-o", "out.fil", says="not in this version")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@
 
 #include "io/temp_folder.h"
 #include "jobs/demo_scene.h"
-#include "jobs/scene_view.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -22,12 +21,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using tests::TempFolder;
 
-scene::Scene demoScene(bool colour) {
+scene::Scene demoScene() {
     const auto document = io::GltfDocument::parse(*makeDemoScene(), "", "demo");
     EXPECT_TRUE(document.ok()) << document.error().message;
-    io::ReadOptions reading;
-    reading.colour = colour;
-    auto scene = io::readScene(*document, reading);
+    auto scene = io::readScene(*document);
     EXPECT_TRUE(scene.ok()) << scene.error().message;
     return std::move(*scene);
 }
@@ -47,7 +44,7 @@ TEST(DemoScene, keepsTheRules) {
 }
 
 TEST(DemoScene, everyCutOutHasBothSidesAndASmoothEdge) {
-    const scene::Scene scene = demoScene(false);
+    const scene::Scene scene = demoScene();
     size_t cutOuts = 0;
     for (const auto& image : scene.images) {
         ASSERT_TRUE(image.alpha.has_value()) << image.name;
@@ -61,7 +58,7 @@ TEST(DemoScene, everyCutOutHasBothSidesAndASmoothEdge) {
 }
 
 TEST(DemoScene, holdsWhatTheDemoShows) {
-    const scene::Scene scene = demoScene(false);
+    const scene::Scene scene = demoScene();
     EXPECT_EQ(scene.cameras.size(), 2U);
     EXPECT_GT(scene.instances.size(), 300U);
     EXPECT_THAT(scene.notes, IsEmpty());
@@ -74,33 +71,6 @@ TEST(DemoScene, holdsWhatTheDemoShows) {
         }
     }
     EXPECT_GT(largest, 8) << "the fence repeats its texture";
-}
-
-TEST(SceneView, seesSkyAboveAndFoliageInTheSun) {
-    const scene::Scene scene = demoScene(true);
-    const Canvas view = drawView(scene, scene.cameras[0], 150, 100, serialExecutor());
-    const Colour sky = view.at(2, 2);
-    EXPECT_GT(sky.b, sky.r);
-    size_t green = 0;
-    for (uint32_t y = 0; y < 100; ++y) {
-        for (uint32_t x = 0; x < 150; ++x) {
-            const Colour c = view.at(x, y);
-            green += c.g > c.r + 20 && c.g > c.b + 20 ? 1 : 0;
-        }
-    }
-    EXPECT_GT(green, 1000U);
-    const auto threads = makeThreadedExecutor(3);
-    const Canvas again = drawView(scene, scene.cameras[0], 150, 100, *threads);
-    for (uint32_t i = 0; i < 150 * 100; ++i) ASSERT_EQ(view.at(i % 150, i / 150), again.at(i % 150, i / 150));
-}
-
-TEST(SceneView, cutsWhatLiesBehindTheCamera) {
-    const scene::Scene scene = demoScene(true);
-    scene::Camera inside = scene.cameras[0];
-    inside.transform[12] = -3.2F;  // in the crown of a tree
-    inside.transform[13] = 3.0F;
-    inside.transform[14] = -2.6F;
-    EXPECT_TRUE(drawView(scene, inside, 60, 40, serialExecutor()).png().ok());
 }
 
 TEST(Demo, leavesAProvedScenePageAndPictures) {
@@ -119,6 +89,11 @@ TEST(Demo, leavesAProvedScenePageAndPictures) {
     for (const auto& picture : summary->inspection.pictures) {
         EXPECT_TRUE(std::filesystem::exists(options.outputFolder / picture)) << picture;
     }
+    ASSERT_EQ(summary->views.size(), 2U);
+    ASSERT_TRUE(summary->views[0].triptych.has_value());
+    EXPECT_TRUE(summary->views[0].triptych->identical);
+    EXPECT_LT(summary->views[0].counters.total().textureFetches,
+              summary->views[0].triptych->textureFetches / 2);
     const auto page = readFile(summary->page);
     ASSERT_TRUE(page.ok());
     EXPECT_THAT(std::string(page->begin(), page->end()), HasSubstr("Bake and proof"));

@@ -1,4 +1,4 @@
-// Everything on a scene made in code: made, baked, validated, inspected.
+// Everything on a scene made in code: made, baked, validated, inspected, rendered.
 #pragma once
 
 #include "filigree/core/executor.h"
@@ -6,10 +6,12 @@
 #include "filigree/core/result.h"
 #include "filigree/jobs/bake.h"
 #include "filigree/jobs/inspect.h"
+#include "filigree/jobs/render.h"
 #include "filigree/jobs/validate.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace filigree::jobs {
 
@@ -25,11 +27,12 @@ struct DemoSummary {
     BakeSummary bake;
     ValidateSummary validation;  // deep
     InspectSummary inspection;
+    std::vector<RenderSummary> views;  // one a camera, the first with a triptych
 };
 
 Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, ProgressSink& progress);
 
-// The machine-readable result: one JSON object with what bake, validate and inspect would give.
+// The machine-readable result: one JSON object with what bake, validate, inspect and render would give.
 std::string toJson(const DemoSummary& summary);
 
 }  // namespace filigree::jobs

@@ -1,0 +1,27 @@
+// The demo's pictures, and what their alpha tests cost.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/jobs/render.h"
+#include "filigree/report/page.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace filigree::jobs {
+
+struct DemoViews {
+    std::vector<RenderSummary> renders;  // one a camera
+    std::vector<std::string> files;      // pictures in the folder
+    report::Section section;
+};
+
+// Renders a baked scene from each of its cameras into `folder`, the first with its alpha tests beside it.
+Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras,
+                                const std::filesystem::path& folder, const Executor& executor,
+                                ProgressSink& progress);
+
+}  // namespace filigree::jobs
