@@ -38,6 +38,10 @@ void addBenchLookup(CLI::App& bench, Commands& commands) {
     addLevelsOption(verb, options->levels, "4,6,8,10");
     addBothStates(verb, options->states);
     addMethodsOption(verb, options->methods, "all");
+    verb.add_option("--patterns", options->patterns,
+                    "random points, hits of ambient-occlusion rays, or both with a comma; default both")
+        ->delimiter(',')
+        ->type_name("NAMES");
     verb.add_option("--lookups", options->lookups,
                     "Lookups of a run, a 64th of them with tree; default 1048576")
         ->type_name("N");

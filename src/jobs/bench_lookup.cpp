@@ -23,6 +23,7 @@ using micromap::State;
 
 constexpr uint64_t fewestLookups = 2;
 constexpr uint64_t mostLookups = uint64_t{1} << 26;
+constexpr std::string_view hits = "hits";
 constexpr size_t treeShare = 64;  // the tree looks up one point of so many
 
 Status check(const BenchLookupOptions& options) {
@@ -31,6 +32,11 @@ Status check(const BenchLookupOptions& options) {
         return Error{ErrorKind::usage,
                      fmt::format("--lookups {}: give {} to {}", options.lookups, fewestLookups, mostLookups)};
     if (options.rounds == 0) return Error{ErrorKind::usage, "--rounds 0: give one or more"};
+    for (const std::string& pattern : options.patterns) {
+        if (pattern != "random" && pattern != hits)
+            return Error{ErrorKind::usage,
+                         fmt::format("--patterns {}: choose random, hits or both", pattern)};
+    }
     return check(options.parameters);
 }
 
@@ -57,16 +63,20 @@ struct BakedLevel {
     unsigned level = 0;
     SceneMaps twoState;
     SceneMaps fourState;
+    const std::vector<TestedPoint>& points;  // for the pattern `hits`
 };
 
-// The lookups of one scene, level and number of states: all methods in turn, several times.
+// The lookups of one scene, level, number of states and pattern: all methods in turn, several times.
 class Contest {
   public:
-    Contest(const BenchLookupOptions& options, const BakedLevel& baked, unsigned states)
+    Contest(const BenchLookupOptions& options, const BakedLevel& baked, unsigned states,
+            std::string_view pattern)
         : options_(options),
           baked_(baked),
           states_(states),
-          queries_(randomQueries(maps(), baked.fourState, options.lookups)),
+          pattern_(pattern),
+          queries_(pattern == hits ? hitQueries(maps(), baked.fourState, baked.points, options.lookups)
+                                   : randomQueries(maps(), baked.fourState, options.lookups)),
           exact_(queries_.size()),
           found_(queries_.size()) {}
 
@@ -107,9 +117,9 @@ class Contest {
                 continue;
             for (const LookupMode mode : lookupModes) {
                 const std::vector<double>& times = times_.at({encoding, mode});
-                rows.push_back({baked_.name, std::string(nameOf(encoding)), baked_.level, states_, "random",
-                                std::string(nameOf(mode)), median(times), ratio(times, Encoding::flat, mode),
-                                ratio(times, Encoding::dag, mode)});
+                rows.push_back({baked_.name, std::string(nameOf(encoding)), baked_.level, states_,
+                                std::string(pattern_), std::string(nameOf(mode)), median(times),
+                                ratio(times, Encoding::flat, mode), ratio(times, Encoding::dag, mode)});
             }
         }
     }
@@ -153,6 +163,7 @@ class Contest {
     const BenchLookupOptions& options_;
     const BakedLevel& baked_;
     unsigned states_;
+    std::string_view pattern_;
     LookupQueries queries_;
     std::vector<State> exact_;  // of all points
     std::vector<State> found_;
@@ -160,21 +171,32 @@ class Contest {
     std::map<std::pair<Encoding, LookupMode>, std::vector<double>> times_;  // ns a lookup, by round
 };
 
+Status benchPattern(const BenchLookupOptions& options, const std::vector<Encoding>& encodings,
+                    const BakedLevel& baked, unsigned states, std::string_view pattern,
+                    const Executor& executor, ProgressSink& progress, BenchLookupSummary& summary) {
+    Contest contest(options, baked, states, pattern);
+    if (!contest.hasPoints()) {
+        summary.notes.push_back(fmt::format("{}, level {}, {} states, {}: no triangle needs a lookup",
+                                            baked.name, baked.level, states, pattern));
+        return {};
+    }
+    for (const Encoding encoding : encodings) {
+        if (const Status added = contest.add(encoding, executor); !added) return added;
+    }
+    if (const Status ran = contest.run(progress); !ran) return ran;
+    contest.addRows(summary.rows);
+    return {};
+}
+
 Status benchLevel(const BenchLookupOptions& options, const std::vector<Encoding>& encodings,
                   const BakedLevel& baked, const Executor& executor, ProgressSink& progress,
                   BenchLookupSummary& summary) {
     for (const unsigned states : options.states) {
-        Contest contest(options, baked, states);
-        if (!contest.hasPoints()) {
-            summary.notes.push_back(fmt::format("{}, level {}, {} states: no triangle needs a lookup",
-                                                baked.name, baked.level, states));
-            continue;
+        for (const std::string& pattern : options.patterns) {
+            const Status done =
+                benchPattern(options, encodings, baked, states, pattern, executor, progress, summary);
+            if (!done) return done;
         }
-        for (const Encoding encoding : encodings) {
-            if (const Status added = contest.add(encoding, executor); !added) return added;
-        }
-        if (const Status ran = contest.run(progress); !ran) return ran;
-        contest.addRows(summary.rows);
     }
     return {};
 }
@@ -184,12 +206,16 @@ Status benchScene(const BenchLookupOptions& options, const std::vector<Encoding>
                   BenchLookupSummary& summary) {
     auto scene = readUnbaked(input, options.parameters);
     if (!scene) return scene.error();
+    std::vector<TestedPoint> points;
+    if (std::ranges::find(options.patterns, hits) != options.patterns.end())
+        points = testedPoints(*scene, options.parameters.includeBlend);
     for (const unsigned level : options.levels) {
         auto two = bakeAt(*scene, input, options.parameters, level, 2, executor, progress);
         if (!two) return two.error();
         auto four = bakeAt(*scene, input, options.parameters, level, 4, executor, progress);
         if (!four) return four.error();
-        const BakedLevel baked{*scene, input.filename().string(), level, std::move(*two), std::move(*four)};
+        const BakedLevel baked{*scene,          input.filename().string(), level,
+                               std::move(*two), std::move(*four),          points};
         if (const Status done = benchLevel(options, encodings, baked, executor, progress, summary); !done)
             return done;
     }

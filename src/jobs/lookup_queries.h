@@ -1,6 +1,8 @@
 // The points that bench lookup asks for.
 #pragma once
 
+#include "filigree/scene/scene.h"
+
 #include "jobs/scene_maps.h"
 
 #include <cstddef>
@@ -21,8 +23,26 @@ struct LookupQueries {
     [[nodiscard]] size_t size() const { return maps.size(); }
 };
 
+// A point of a triangle that an alpha test was asked about.
+struct TestedPoint {
+    const scene::Primitive* primitive = nullptr;
+    uint32_t triangle = 0;
+    float u = 0;
+    float v = 0;
+};
+
+// Where ambient-occlusion rays meet surfaces with holes, in the order of the tests, as seen from a place with
+// many (busyView). The same on every machine; none where there are no such surfaces. `blend`: BLEND materials
+// have holes, too.
+std::vector<TestedPoint> testedPoints(const scene::Scene& scene, bool blend);
+
 // `count` random points of random triangles that have a map, the same ones on every machine; none where no
 // triangle has one. `maps` and `cautious` were baked from one scene.
 LookupQueries randomQueries(const SceneMaps& maps, const SceneMaps& cautious, size_t count);
+
+// The first `count` of `points` that have a map, from the first again when they run out; none where no point
+// has one.
+LookupQueries hitQueries(const SceneMaps& maps, const SceneMaps& cautious,
+                         const std::vector<TestedPoint>& points, size_t count);
 
 }  // namespace filigree::jobs

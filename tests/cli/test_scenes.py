@@ -12,6 +12,13 @@ SCENES = Path(os.environ.get("FILIGREE_SHARED_DATA", "")) / "data" / "scenes"
 
 @unittest.skipUnless(SCENES.is_dir(), "the shared test data is absent (FILIGREE_SHARED_DATA names none)")
 class Scenes(CliTest):
+    def test_lookups_at_hits_of_rays_agree(self):
+        self.expect_done("bench", "lookup", SCENES / "0ad_forest_temperate.glb", "--levels", "4", "--lookups", "20000",
+                         "--rounds", "1", "--patterns", "hits", "--json", "rows.json")
+        rows = json.loads((self.folder / "rows.json").read_text())["rows"]
+        self.assertEqual({row["pattern"] for row in rows}, {"hits"})
+        self.assertEqual(len(rows), 7 * 3 * 2)
+
     def test_every_scene_bakes_and_validates(self):
         for scene in sorted(SCENES.glob("*.glb")):
             with self.subTest(scene=scene.name):

@@ -19,6 +19,7 @@ struct BenchLookupOptions {
     std::vector<unsigned> levels{4, 6, 8, 10};  // 0..12
     std::vector<unsigned> states{2, 4};         // 2, 4 or both
     std::vector<std::string> methods;           // names of encodings; empty: all
+    std::vector<std::string> patterns{"random", "hits"};  // of points, see BenchLookupRow
     uint64_t lookups = 1 << 20;  // of a run, 2..2^26; a 64th of them with the tree, whose scans are long
     unsigned rounds = 5;         // of which the median counts, at least 1
     BakeParameters parameters;   // when a state is known; states and levels are those above
@@ -30,7 +31,9 @@ struct BenchLookupRow {
     std::string method;
     unsigned level = 0;
     unsigned states = 4;
-    std::string pattern;  // "random": random points of random triangles
+    // "random": random points of random triangles. "hits": where rays of ambient occlusion meet them, ray by
+    // ray.
+    std::string pattern;
     // "dependent": which point is next depends on the state found; "independent"; "batch": blocks of 1024
     // points by the reader's SIMD lookup.
     std::string mode;
