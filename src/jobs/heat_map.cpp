@@ -20,8 +20,13 @@ constexpr Colour paper{255, 255, 255};
 constexpr Colour ink{20, 24, 28};
 constexpr uint32_t leastPanel = 360;  // pixels; below it a heat map's pixels are magnified
 
-// From nothing to the scale's end: dark to light, so that it reads without colour, too.
-Colour heatColour(double share) {
+// The share of the scale where a share of its end stands: a root, so that few tests show beside many.
+double placeOf(double share) {
+    return std::sqrt(std::clamp(share, 0.0, 1.0));
+}
+
+// From the scale's beginning to its end: dark to light, so that it reads without colour, too.
+Colour heatColour(double place) {
     constexpr std::array<Colour, 7> stops = {{{0, 0, 4},
                                               {51, 16, 104},
                                               {129, 32, 116},
@@ -29,7 +34,7 @@ Colour heatColour(double share) {
                                               {244, 124, 36},
                                               {250, 190, 60},
                                               {252, 255, 190}}};
-    const double at = std::clamp(share, 0.0, 1.0) * (stops.size() - 1);
+    const double at = place * (stops.size() - 1);
     const size_t below = std::min(static_cast<size_t>(at), stops.size() - 2);
     return mixed(stops[below], stops[below + 1], at - static_cast<double>(below));
 }
@@ -64,7 +69,7 @@ void drawPanel(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& si
 void drawHeat(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& source, uint32_t zoom,
               double end) {
     drawPanel(canvas, left, top, source, zoom,
-              [&](size_t pixel) { return heatColour(source.at(pixel) / end); });
+              [&](size_t pixel) { return heatColour(placeOf(source.at(pixel) / end)); });
 }
 
 // The bar with its numbers, laid out in shares of the text's size.
@@ -75,16 +80,16 @@ struct Legend {
 
     void draw(Canvas& canvas, double left, double top, double width, const std::string& title,
               double end) const {
-        const double margin = size;
+        const double margin = std::ceil(size);
         drawText(canvas, title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, ink, true);
-        const double bar = std::min(width - 2 * margin, 30 * size);
+        const double bar = std::floor(std::min(width - 2 * margin, 30 * size));
         for (double x = 0; x < bar; ++x)
             canvas.fillRect(left + margin + x, top + 2 * size, 1, size, heatColour(x / bar));
         for (int quarter = 0; quarter <= 4; ++quarter) {
             const auto anchor = quarter == 0   ? report::Anchor::start
                                 : quarter == 4 ? report::Anchor::end
                                                : report::Anchor::middle;
-            drawText(canvas, report::formatCompact(end * quarter / 4),
+            drawText(canvas, report::formatCompact(end * quarter * quarter / 16),
                      {left + margin + bar * quarter / 4, top + 4.1 * size}, size, anchor, ink);
         }
     }

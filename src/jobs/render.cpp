@@ -63,6 +63,7 @@ class Rendering {
         settings_.bounces = options.bounces;
         settings_.defer = options.defer;
         settings_.twoStateShadows = options.twoStateShadows;
+        settings_.countBitsRead = true;
     }
 
     Result<RenderSummary> run() {

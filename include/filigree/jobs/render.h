@@ -79,7 +79,7 @@ struct RenderSummary {
     uint64_t peakBytes = 0;         // of the process, since it began
     std::string imageSha256;        // of the picture's RGBA, row by row
     double firstSampleSeconds = 0;  // from the start to the first ray
-    double seconds = 0;             // of tracing alone
+    double seconds = 0;             // of tracing alone; counting bits takes up to a tenth of it
     double totalSeconds = 0;
     std::optional<TriptychSummary> triptych;
     std::vector<std::string> notes;
