@@ -150,15 +150,20 @@ std::vector<LegendEntry> lineLegend(const LineChart& chart) {
     return entries;
 }
 
+// Dots of longer series would run into each other.
+constexpr size_t mostDots = 60;
+
 void paintLine(const LineChart& chart, const LineChart::Series& series, const Scale& xs, const Scale& ys,
                Plot& plot) {
     Polyline line{{}, series.colour, 2, series.dashed};
     std::vector<Shape> dots;
+    const bool hasDots = series.points.size() <= mostDots;
     for (const auto& [px, py] : series.points) {
         if (!isDrawable(chart.x, px) || !isDrawable(chart.y, py)) continue;
         const double x = plot.xOf(xs.at(px));
         const double y = plot.yOf(ys.at(py));
         line.points.emplace_back(x, y);
+        if (!hasDots) continue;
         const std::string who = series.name.empty() ? "" : series.name + ", ";
         dots.emplace_back(
             Dot{x, y, 3, series.colour, who + axisText(chart.x, px) + ": " + axisText(chart.y, py)});

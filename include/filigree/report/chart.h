@@ -38,6 +38,7 @@ struct BarChart {
     bool labels = true;    // the value above each bar where there is room; stacked bars have none
 };
 
+// Points of a series show as dots unless they are very many.
 struct LineChart {
     struct Series {
         std::string name;
