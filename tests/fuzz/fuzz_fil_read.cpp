@@ -3,6 +3,7 @@
 #include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/map_reader.h"
 #include "filigree/io/fil.h"
+#include "filigree/io/fil_squares.h"
 
 #include "sample_fil.h"
 
@@ -28,12 +29,28 @@ void readAll(std::vector<uint8_t> bytes) {
     static_cast<void>(encoding::openReader(file->set()).ok());
 }
 
+void readSquares(std::vector<uint8_t> bytes) {
+    using namespace filigree;
+    io::FilReadOptions options;
+    options.maxBytes = uint64_t{64} << 20;
+    const auto file = io::FilSquareFile::parse(std::move(bytes), "input", options);
+    if (!file) return;
+    std::vector<int32_t> indices(file->meta().triangleCount());
+    file->readIndices(0, indices);
+    for (size_t t = 0; t < indices.size(); ++t) {
+        static_cast<void>(io::verticesOf(file->place(t)));
+        if (indices[t] >= 0) static_cast<void>(file->maps().decode(static_cast<size_t>(indices[t])));
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     std::vector<uint8_t> bytes(data, data + size);
     readAll(bytes);
+    readSquares(bytes);
     filigree::tests::resealFil(bytes);
-    readAll(std::move(bytes));
+    readAll(bytes);
+    readSquares(std::move(bytes));
     return 0;
 }
