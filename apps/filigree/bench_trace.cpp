@@ -62,6 +62,7 @@ void addBenchTrace(CLI::App& bench, Commands& commands) {
     addSizeOption(verb, options->width, options->height, "480x270");
     addCameraOption(verb, options->camera,
                     "the file's first, or a place from which rays meet many alpha tests");
+    verb.add_flag("--overview", options->overview, "Without a camera look at the scene as render does");
     verb.add_option("--atlas", options->atlas,
                     "Pack the masked textures into one RGBA image of so many texels a side first")
         ->type_name("N");

@@ -101,6 +101,8 @@ class SceneBench {
     Status run() {
         if (const Status read = readScene(); !read) return read;
         if (const Status built = buildWorld(); !built) return built;
+        if (const Status chosen = chooseView(); !chosen) return chosen;
+        if (const Status packed = pack(); !packed) return packed;
         if (const Status made = makeContestants(); !made) return made;
         for (const trace::Integrator integrator : plan_.integrators) {
             if (const Status ran = runRays(integrator); !ran) return ran;
@@ -119,11 +121,16 @@ class SceneBench {
         auto scene = io::readScene(*document, reading);
         if (!scene) return scene.error();
         scene_ = std::move(*scene);
+        return {};
+    }
+
+    Status pack() {
         if (options_.atlas == 0) return {};
+        world_.reset();
         const auto notes = packAtlas(scene_, options_.atlas);
         if (!notes) return notes.error();
         for (const std::string& text : *notes) note(text);
-        return {};
+        return buildWorld();
     }
 
     Status buildWorld() {
@@ -133,11 +140,16 @@ class SceneBench {
         auto world = trace::World::build(scene_, building);
         if (!world) return world.error().within(input_.string());
         world_.emplace(std::move(*world));
+        return {};
+    }
+
+    // Before textures are packed, which moves triangles about: the view is the same then.
+    Status chooseView() {
         settings_.width = options_.width;
         settings_.height = options_.height;
         if (const Status sizes = check(settings_); !sizes) return sizes;
-        const bool anyPlace =
-            std::holds_alternative<std::monostate>(options_.camera) && scene_.cameras.empty();
+        const bool anyPlace = !options_.overview && std::holds_alternative<std::monostate>(options_.camera) &&
+                              scene_.cameras.empty();
         const float aspect = static_cast<float>(options_.width) / static_cast<float>(options_.height);
         auto camera =
             anyPlace ? busyView(scene_, *world_) : cameraFor(options_.camera, scene_, *world_, aspect);

@@ -27,6 +27,7 @@ struct BenchTraceOptions {
     // Nothing, unlike in render: the file's first camera, or without one a place from which rays meet many
     // alpha tests.
     CameraChoice camera;
+    bool overview = false;      // without a camera look as render does
     uint32_t atlas = 0;         // texels a side; 0: textures stay as they are
     BakeParameters parameters;  // when a state is known; states and level are those above
 };
