@@ -37,7 +37,7 @@ void addOneBit(const jobs::OneBitSummary& s, Lines& lines) {
                                             report::formatShare(s.fourStateKnownShare)));
 }
 
-void printResult(const jobs::CompressSummary& s) {
+void printCompressed(const jobs::CompressSummary& s) {
     auto lines = encodedLines(s.size);
     lines.insert(lines.begin(),
                  {"triangles", fmt::format("{}, of which masked {}", report::formatCount(s.triangles),
@@ -102,7 +102,7 @@ void addCompress(CLI::App& app, Commands& commands) {
     command.onRun([command, options] {
         options->bakeAnew = hasMapOptions(command.options());
         auto progress = command.progress();
-        return command.finish(jobs::compress(*options, *command.executor(), progress), printResult);
+        return command.finish(jobs::compress(*options, *command.executor(), progress), printCompressed);
     });
     commands.push_back(command);
 }

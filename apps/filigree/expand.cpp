@@ -9,7 +9,7 @@
 namespace filigree::app {
 namespace {
 
-void printResult(const jobs::ExpandSummary& s) {
+void printExpanded(const jobs::ExpandSummary& s) {
     auto lines = encodedLines(s.size);
     lines.emplace_back("flat", bytesText(s.dataBytes));
     lines.emplace_back("seconds", fmt::format("{:.2f}", s.totalSeconds));
@@ -38,7 +38,7 @@ void addExpand(CLI::App& app, Commands& commands) {
     });
     command.onRun([command, options] {
         auto progress = command.progress();
-        return command.finish(jobs::expand(*options, *command.executor(), progress), printResult);
+        return command.finish(jobs::expand(*options, *command.executor(), progress), printExpanded);
     });
     commands.push_back(command);
 }

@@ -100,7 +100,7 @@ std::string comparison(const jobs::RenderSummary& s) {
     return text + fmt::format("the picture differs: PSNR {:.2f} dB", s.triptych->psnr);
 }
 
-void printResult(const jobs::RenderSummary& s) {
+void printRendered(const jobs::RenderSummary& s) {
     std::string method = s.method;
     if (s.states) method += fmt::format(", {} states", *s.states);
     if (s.hasLevels) method += s.level ? fmt::format(", level {}", *s.level) : ", levels differ";
@@ -135,7 +135,7 @@ void addRender(CLI::App& app, Commands& commands) {
     addCosts(verb, *options);
     command.onRun([command, options] {
         auto progress = command.progress();
-        return command.finish(jobs::render(*options, *command.executor(), progress), printResult);
+        return command.finish(jobs::render(*options, *command.executor(), progress), printRendered);
     });
     commands.push_back(command);
 }

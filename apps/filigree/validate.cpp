@@ -10,7 +10,7 @@
 namespace filigree::app {
 namespace {
 
-void printResult(const jobs::ValidateSummary& s) {
+void printValidation(const jobs::ValidateSummary& s) {
     using report::formatCount;
     for (const auto& breach : s.breaches)
         fmt::print("{}\n", oneLine(breach.path + ": " + breach.rule + ": " + breach.message));
@@ -42,7 +42,7 @@ void addValidate(CLI::App& app, Commands& commands) {
     command.onRun([command, options] {
         auto progress = command.progress();
         const auto result = jobs::validate(*options, *command.executor(), progress);
-        const int code = command.finish(result, printResult);
+        const int code = command.finish(result, printValidation);
         return code == done && !result->valid() ? failed : code;
     });
     commands.push_back(command);

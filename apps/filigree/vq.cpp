@@ -16,7 +16,7 @@ std::string useText(const jobs::TransformUse& use) {
                        report::formatShare(use.mostFrequentShare()));
 }
 
-void printResult(const jobs::VqSummary& s) {
+void printSavings(const jobs::VqSummary& s) {
     printTable(jobs::vqTable(s));
     fmt::print("\n");
     uint64_t pairs = 0;
@@ -66,7 +66,7 @@ void addVq(CLI::App& app, Commands& commands) {
     verb.add_flag("!--no-pictures", options->pictures, "Draw no pictures of the maps");
     command.onRun([command, options] {
         auto progress = command.progress();
-        return command.finish(jobs::vq(*options, *command.executor(), progress), printResult);
+        return command.finish(jobs::vq(*options, *command.executor(), progress), printSavings);
     });
     commands.push_back(command);
 }

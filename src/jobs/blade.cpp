@@ -7,8 +7,6 @@
 namespace filigree::jobs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 uint8_t byteOf(double value) {
     return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
 }
@@ -90,7 +88,7 @@ Box boxOf(const Blade& b, double reach, const scene::ColourImage& image) {
 }  // namespace
 
 double leafProfile(double t) {
-    return std::pow(std::sin(pi * std::pow(t, 0.8)), 0.9);
+    return std::pow(std::sin(std::numbers::pi * std::pow(t, 0.8)), 0.9);
 }
 
 double serratedProfile(double t) {
@@ -107,7 +105,7 @@ double grassProfile(double t) {
 }
 
 double petalProfile(double t) {
-    return std::pow(std::sin(pi * std::pow(t, 1.6)), 0.7);
+    return std::pow(std::sin(std::numbers::pi * std::pow(t, 1.6)), 0.7);
 }
 
 double discProfile(double t) {

@@ -8,8 +8,6 @@
 namespace filigree::jobs {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
-
 // The part of a texture that a card shows; v grows downward.
 struct UvBox {
     float u0, v0, u1, v1;
@@ -46,7 +44,7 @@ void addCard(Geometry& g, const Vec3& foot, const Vec3& right, const Vec3& up, c
 uint32_t addRing(Geometry& g, const Vec3& centre, const Vec3& x, const Vec3& y, float radius, size_t sides) {
     const auto first = static_cast<uint32_t>(g.positions.size());
     for (size_t i = 0; i < sides; ++i) {
-        const float angle = 2 * pi * static_cast<float>(i) / static_cast<float>(sides);
+        const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(sides);
         const Vec3 out = plus(times(x, std::cos(angle)), times(y, std::sin(angle)));
         g.positions.push_back(plus(centre, times(out, radius)));
         g.normals.push_back(normalised(out));
@@ -112,7 +110,7 @@ void addHexagon(Geometry& g, const Vec3& centre, const Vec3& x, const Vec3& y) {
     const Vec3 normal = normalised(cross(x, y));
     const uint32_t middle = addVertex(g, centre, normal, {0.5F, 0.5F});
     for (uint32_t i = 0; i < 6; ++i) {
-        const float angle = (static_cast<float>(i) + 0.5F) * pi / 3;
+        const float angle = (static_cast<float>(i) + 0.5F) * std::numbers::pi_v<float> / 3;
         const float cx = std::cos(angle);
         const float cy = std::sin(angle);
         const Vec3 at = plus(centre, plus(times(x, cx), times(y, cy)));
@@ -193,7 +191,7 @@ Geometry fernMesh() {
 Geometry grassMesh() {
     Geometry g;
     for (int i = 0; i < 3; ++i) {
-        const float angle = static_cast<float>(i) * pi / 3;
+        const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / 3;
         const Vec3 right{0.4F * std::cos(angle), 0, 0.4F * std::sin(angle)};
         addCard(g, {0.06F * std::sin(angle * 5), -0.02F, 0}, right, {0, 0.4F, 0}, {0, 0, 1, 1});
     }

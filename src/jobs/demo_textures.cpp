@@ -11,8 +11,6 @@
 namespace filigree::jobs {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // How one tree grows its leaves.
 struct Species {
     double (*profile)(double);
@@ -103,7 +101,7 @@ double wireDistance(double diagonal) {
 
 // Wires bow over and under each other.
 double bow(double along) {
-    return 0.022 * std::sin(4 * pi * along);
+    return 0.022 * std::sin(4 * std::numbers::pi * along);
 }
 
 // Zinc wire, round in the light.
@@ -164,7 +162,7 @@ scene::ColourImage blossomTexture() {
     Random random(41);
     for (int i = 0; i < 6; ++i) {
         const Point centre{64, 64};
-        const double angle = i * pi / 3;
+        const double angle = i * std::numbers::pi / 3;
         paint({step(centre, angle, 6), step(centre, angle, 60), 0, 0.33, petalProfile,
                varied({0.90, 0.66, 0.78}, random), 0},
               image);

@@ -16,7 +16,7 @@
 namespace filigree::jobs {
 namespace {
 
-constexpr Colour paper{255, 255, 255};
+constexpr Colour blank{255, 255, 255};
 constexpr Colour ink{20, 24, 28};
 constexpr uint32_t leastPanel = 360;  // pixels; below it a heat map's pixels are magnified
 
@@ -132,7 +132,7 @@ Canvas heatMap(const HeatSource& source) {
     const uint32_t width = source.width * zoom;
     const uint32_t height = source.height * zoom;
     const Legend legend{textSize(width)};
-    Canvas canvas(width, height + legend.height(), paper);
+    Canvas canvas(width, height + legend.height(), blank);
     const double end = scaleEnd(source);
     drawHeat(canvas, 0, 0, source, zoom, end);
     legend.draw(canvas, 0, height, width, fmt::format("{}: {}", source.what, meanAndMaximum(source)), end);
@@ -148,7 +148,7 @@ Canvas triptych(const scene::ColourImage& picture, std::string_view method, cons
     const double size = textSize(width);
     const Legend legend{size};
     const auto captions = static_cast<uint32_t>(std::ceil(2.1 * size));
-    Canvas canvas(3 * width + 2 * gap, captions + height + legend.height(), paper);
+    Canvas canvas(3 * width + 2 * gap, captions + height + legend.height(), blank);
     const double end = scaleEnd(without);
     const auto left = [&](uint32_t panel) { return panel * (width + gap); };
     const auto caption = [&](uint32_t panel, const std::string& text) {

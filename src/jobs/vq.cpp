@@ -104,8 +104,8 @@ class Run {
             if (finished.picture) pictures.push_back(std::move(*finished.picture));
             summary.textures.push_back(std::move(finished.texture));
         }
-        summary.vq2 = useOf(chosen.vq2);
-        summary.vq4 = useOf(chosen.vq4);
+        summary.vq2 = transformUseOf(chosen.vq2);
+        summary.vq4 = transformUseOf(chosen.vq4);
         summary.notes = std::move(notes_);
         return summary;
     }

@@ -93,7 +93,7 @@ Result<VqMeasured> measure(const VqInput& input, const VqOptions& options, const
     return measured;
 }
 
-TransformUse useOf(const std::vector<unsigned>& chosen) {
+TransformUse transformUseOf(const std::vector<unsigned>& chosen) {
     std::map<unsigned, uint64_t> counts;
     for (const unsigned transforms : chosen) ++counts[transforms];
     TransformUse use;

@@ -39,6 +39,6 @@ quadmap::Prefer preferOf(const VqOptions& options);
 Result<VqMeasured> measure(const VqInput& input, const VqOptions& options, const Executor& executor,
                            ProgressSink& progress);
 
-TransformUse useOf(const std::vector<unsigned>& chosen);
+TransformUse transformUseOf(const std::vector<unsigned>& chosen);
 
 }  // namespace filigree::jobs

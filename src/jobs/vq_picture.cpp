@@ -21,7 +21,7 @@ constexpr uint32_t panel = 192;  // pixels a side, a multiple of 32
 constexpr uint32_t gap = 12;
 constexpr uint32_t caption = 22;
 constexpr double textSize = 13;
-constexpr Colour paper{236, 236, 236};
+constexpr Colour ground{236, 236, 236};
 constexpr Colour lost{255, 225, 25};  // known in the source, mixed in the map
 constexpr Colour freeColour{255, 255, 255};
 
@@ -61,7 +61,7 @@ double alphaAt(const VqInput& input, double x, double y) {
 
 class Sheet {
   public:
-    Sheet() : canvas_(5 * panel + 6 * gap, 2 * (panel + gap + caption) + gap, paper) {}
+    Sheet() : canvas_(5 * panel + 6 * gap, 2 * (panel + gap + caption) + gap, ground) {}
 
     void alpha(const VqInput& input, unsigned column, unsigned row) {
         const auto [left, top] = corner(column, row);
