@@ -42,8 +42,9 @@ float countedShare(const Reader& reader, uint32_t map, uint32_t index, unsigned 
     return static_cast<float>(static_cast<double>(opaque) / static_cast<double>(count));
 }
 
-// `Reader` has mapCount(), level(map), at(map, index), at(map, u, v), both lookup(...), bitsRead(map, index), decode(map) and
-// parts() as MapReader has them, and opaqueShare(map, index, level) where it knows better than to count.
+// `Reader` has mapCount(), level(map), at(map, index), at(map, u, v), both lookup(...), bitsRead(map, index),
+// decode(map) and parts() as MapReader has them, and opaqueShare(map, index, level) where it knows better
+// than to count.
 template <class Reader>
 class ReaderOf final : public MapReader {
   public:

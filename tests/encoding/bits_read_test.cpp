@@ -16,7 +16,8 @@ uint64_t totalRead(Encoding encoding, const micromap::Quadtree& map, Format form
     const EncodedSet encoded = tests::encodeGood(encoding, set, format);
     const auto reader = tests::openGood(viewOf(encoded));
     uint64_t total = 0;
-    for (uint32_t k = 0; k < micromap::microTriangleCount(map.view().level); ++k) total += reader->bitsRead(0, k);
+    for (uint32_t k = 0; k < micromap::microTriangleCount(map.view().level); ++k)
+        total += reader->bitsRead(0, k);
     return total;
 }
 
