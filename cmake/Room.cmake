@@ -19,13 +19,12 @@ function(filigree_room name)
 endfunction()
 
 # With FILIGREE_UNITY, compiles the sources of a target several at a time. Not those that Highway includes once a
-# target. Names in them meet then, hence no warnings of hidden ones.
+# target.
 function(filigree_in_one_go target)
     if(NOT FILIGREE_UNITY)
         return()
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
-    target_compile_options(${target} PRIVATE -Wno-shadow)
     foreach(source ${ARGN})
         file(STRINGS ${source} once_a_target REGEX "define HWY_TARGET_INCLUDE" LIMIT_COUNT 1)
         if(once_a_target)
