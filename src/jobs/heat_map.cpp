@@ -17,7 +17,7 @@ namespace filigree::jobs {
 namespace {
 
 constexpr Colour blank{255, 255, 255};
-constexpr Colour ink{20, 24, 28};
+constexpr Colour heatInk{20, 24, 28};
 constexpr uint32_t leastPanel = 360;  // pixels; below it a heat map's pixels are magnified
 
 // The share of the scale where a share of its end stands: a root, so that few tests show beside many.
@@ -81,7 +81,8 @@ struct Legend {
     void draw(Canvas& canvas, double left, double top, double width, const std::string& title,
               double end) const {
         const double margin = std::ceil(size);
-        drawText(canvas, title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, ink, true);
+        drawText(canvas, title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, heatInk,
+                 true);
         const double bar = std::floor(std::min(width - 2 * margin, 30 * size));
         for (double x = 0; x < bar; ++x)
             canvas.fillRect(left + margin + x, top + 2 * size, 1, size, heatColour(x / bar));
@@ -90,7 +91,7 @@ struct Legend {
                                 : quarter == 4 ? report::Anchor::end
                                                : report::Anchor::middle;
             drawText(canvas, report::formatCompact(end * quarter * quarter / 16),
-                     {left + margin + bar * quarter / 4, top + 4.1 * size}, size, anchor, ink);
+                     {left + margin + bar * quarter / 4, top + 4.1 * size}, size, anchor, heatInk);
         }
     }
 };
@@ -152,7 +153,7 @@ Canvas triptych(const scene::ColourImage& picture, std::string_view method, cons
     const double end = scaleEnd(without);
     const auto left = [&](uint32_t panel) { return panel * (width + gap); };
     const auto caption = [&](uint32_t panel, const std::string& text) {
-        drawText(canvas, text, {left(panel) + 0.3 * size, 1.4 * size}, size, report::Anchor::start, ink,
+        drawText(canvas, text, {left(panel) + 0.3 * size, 1.4 * size}, size, report::Anchor::start, heatInk,
                  true);
     };
     caption(0, fmt::format("picture, {} x {}", picture.width, picture.height));
