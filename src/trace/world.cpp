@@ -20,14 +20,6 @@ bool countMemory(void* bytes, ssize_t change, bool) {
     return true;
 }
 
-void extend(Box& box, const Vec3& point) {
-    const bool first = box.empty();
-    for (size_t k = 0; k < 3; ++k) {
-        box.low[k] = first ? point[k] : std::min(box.low[k], point[k]);
-        box.high[k] = first ? point[k] : std::max(box.high[k], point[k]);
-    }
-}
-
 // True where a transform has an inverse, and both stay within worldReach.
 bool isUsable(const std::array<float, 16>& m, const Box& box) {
     if (!isFinite(m)) return false;
@@ -87,7 +79,7 @@ class Builder {
             if (primitive.triangleCount() == 0) continue;
             addSurface(primitive, owner.get());
             for (const auto& position : primitive.positions) {
-                if (isFinite(position)) extend(boxes_[number], position);
+                if (isFinite(position)) boxes_[number].extend(position);
             }
             triangles_[number] += primitive.triangleCount();
         }
@@ -190,7 +182,7 @@ class Builder {
         to_.triangleCount += triangles_[instance.mesh];
         const Box& box = boxes_[instance.mesh];
         if (box.empty()) return;
-        for (unsigned k = 0; k < 8; ++k) extend(to_.bounds, transformed(instance.transform, box.corner(k)));
+        for (unsigned k = 0; k < 8; ++k) to_.bounds.extend(transformed(instance.transform, box.corner(k)));
     }
 
     void note(std::string_view what, uint64_t count) {
@@ -213,17 +205,6 @@ mesh::Uv Surface::coordinatesAt(uint32_t triangle, float u, float v) const {
     const mesh::UvTriangle t = primitive->uvTriangle(triangle);
     return {static_cast<float>(mixed(t.uv[0].u, t.uv[1].u, t.uv[2].u, u, v)),
             static_cast<float>(mixed(t.uv[0].v, t.uv[1].v, t.uv[2].v, u, v))};
-}
-
-Vec3 Box::corner(unsigned k) const {
-    return {(k & 1) != 0 ? high[0] : low[0], (k & 2) != 0 ? high[1] : low[1],
-            (k & 4) != 0 ? high[2] : low[2]};
-}
-
-float Box::diagonal() const {
-    if (empty()) return 0;
-    const Vec3 across = minus(high, low);
-    return std::sqrt(dot(across, across));
 }
 
 Result<World> World::build(const scene::Scene& scene, const WorldOptions& options) {

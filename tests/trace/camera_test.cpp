@@ -56,7 +56,7 @@ std::pair<float, float> seenAt(const scene::Camera& camera, float aspect, const 
 TEST(Camera, OverviewShowsAllOfASceneFromOutside) {
     const scene::Scene scene = tests::thicket();
     const auto world = trace::World::build(scene, {});
-    const trace::Box box = world->bounds();
+    const Box box = world->bounds();
     for (const float aspect : {0.3F, 1.0F, 3.0F}) {
         const scene::Camera camera = trace::overview(*world, aspect);
         for (unsigned k = 0; k < 8; ++k) {

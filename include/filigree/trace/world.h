@@ -1,8 +1,8 @@
 // A scene ready to be traced: its geometry under Embree, its alpha textures beside it.
 #pragma once
 
+#include "filigree/core/box.h"
 #include "filigree/core/result.h"
-#include "filigree/core/vec3.h"
 #include "filigree/scene/scene.h"
 
 #include <array>
@@ -19,15 +19,6 @@ struct WorldOptions {
     // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8
     // bits; otherwise a copy of the alpha alone.
     bool alphaAmongColours = false;
-};
-
-// A box in world units; empty where low > high.
-struct Box {
-    Vec3 low{1, 1, 1};
-    Vec3 high{0, 0, 0};
-    [[nodiscard]] bool empty() const { return !(low[0] <= high[0]); }
-    [[nodiscard]] float diagonal() const;
-    [[nodiscard]] Vec3 corner(unsigned k) const;  // k < 8; bit b of k takes the high end of axis b
 };
 
 // Meshes are built once and instanced. A surface is one primitive of a mesh, with its material; they are
@@ -50,7 +41,7 @@ class World {
     // True where hits are candidates that an alpha test decides.
     [[nodiscard]] bool isTested(size_t surface) const;
 
-    [[nodiscard]] Box bounds() const;              // of all instances
+    [[nodiscard]] Box bounds() const;              // of all instances, in world units
     [[nodiscard]] uint64_t triangleCount() const;  // instances counted
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
