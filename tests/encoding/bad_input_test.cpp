@@ -2,6 +2,7 @@
 // size, so that a sanitizer sees the first byte read past an end.
 #include "filigree/core/target.h"
 
+#include "encoding/encoding_name.h"
 #include "encoding/sample_maps.h"
 
 #include <algorithm>
@@ -160,16 +161,10 @@ TEST_P(BadInput, BlocksOfOnesAreRefused) {
     EXPECT_TRUE(refused(viewOf(set)));
 }
 
-std::string testName(const testing::TestParamInfo<std::tuple<Encoding, Format>>& info) {
-    std::string name(nameOf(std::get<0>(info.param)));
-    std::erase(name, '-');
-    return name + (std::get<1>(info.param) == Format::twoState ? "TwoState" : "FourState");
-}
-
 INSTANTIATE_TEST_SUITE_P(Encodings, BadInput,
                          testing::Combine(testing::ValuesIn(tests::testedEncodings),
                                           testing::Values(Format::twoState, Format::fourState)),
-                         testName);
+                         tests::EncodingName{});
 
 }  // namespace
 }  // namespace filigree::encoding

@@ -3,6 +3,7 @@
 
 #include "filigree/micromap/quadtree_writer.h"
 
+#include "encoding/encoding_name.h"
 #include "encoding/lossy_choice.h"
 #include "encoding/lossy_tree.h"
 #include "encoding/sample_maps.h"
@@ -153,13 +154,7 @@ TEST_P(Lossy, SetsWithoutMapsAndWithoutWeights) {
     EXPECT_EQ(set->point.cost, 0);
 }
 
-std::string testName(const testing::TestParamInfo<Encoding>& encoding) {
-    std::string name(nameOf(encoding.param));
-    std::erase(name, '-');
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Encodings, Lossy, testing::ValuesIn(tests::testedEncodings), testName);
+INSTANTIATE_TEST_SUITE_P(Encodings, Lossy, testing::ValuesIn(tests::testedEncodings), tests::EncodingName{});
 
 TEST(LossyGoals, OutOfReachNamesTheLeast) {
     const auto list = foliage(Format::fourState);

@@ -2,6 +2,7 @@
 #include "filigree/core/target.h"
 #include "filigree/micromap/curve.h"
 
+#include "encoding/encoding_name.h"
 #include "encoding/sample_maps.h"
 
 #include <cmath>
@@ -149,13 +150,8 @@ TEST_P(RoundTrip, PartsAddUp) {
     });
 }
 
-std::string testName(const testing::TestParamInfo<Encoding>& encoding) {
-    std::string name(nameOf(encoding.param));
-    std::erase(name, '-');
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Encodings, RoundTrip, testing::ValuesIn(tests::testedEncodings), testName);
+INSTANTIATE_TEST_SUITE_P(Encodings, RoundTrip, testing::ValuesIn(tests::testedEncodings),
+                         tests::EncodingName{});
 
 }  // namespace
 }  // namespace filigree::encoding

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Page sample() {
+Page samplePage() {
     Table table;
     table.caption = "Counts";
     table.columns = {{"n", "N", "", Show::plain, 0}};
@@ -33,7 +33,7 @@ Page sample() {
 }
 
 TEST(Page, holdsEverythingItself) {
-    const std::string html = toHtml(sample());
+    const std::string html = toHtml(samplePage());
     EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
     EXPECT_THAT(html, HasSubstr("src=\"data:image/png;base64,Zm9v\""));
     EXPECT_THAT(html, HasSubstr("width=\"640\" height=\"480\""));
@@ -44,7 +44,7 @@ TEST(Page, holdsEverythingItself) {
 }
 
 TEST(Page, escapesEveryText) {
-    const std::string html = toHtml(sample());
+    const std::string html = toHtml(samplePage());
     EXPECT_THAT(html, HasSubstr("<title>Maps of &lt;leaf&gt;</title>"));
     EXPECT_THAT(html, HasSubstr("One &amp; all"));
     EXPECT_THAT(html, HasSubstr("a &lt; b"));
@@ -55,16 +55,16 @@ TEST(Page, escapesEveryText) {
 }
 
 TEST(Page, listsItsSections) {
-    const std::string html = toHtml(sample());
+    const std::string html = toHtml(samplePage());
     EXPECT_THAT(html, HasSubstr("<a href=\"#s3\">Third</a>"));
     EXPECT_THAT(html, HasSubstr("<section id=\"s3\">"));
-    Page small = sample();
+    Page small = samplePage();
     small.sections.resize(1);
     EXPECT_THAT(toHtml(small), Not(HasSubstr("<nav>")));
 }
 
 TEST(Page, tablesCarryTheirCsv) {
-    EXPECT_THAT(toHtml(sample()), HasSubstr("data-csv=\"n&#13;&#10;1234&#13;&#10;\""));
+    EXPECT_THAT(toHtml(samplePage()), HasSubstr("data-csv=\"n&#13;&#10;1234&#13;&#10;\""));
 }
 
 TEST(Page, picturesTooLargeToEmbedAreLinked) {

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Table sample() {
+Table sampleTable() {
     Table table;
     table.caption = "Sizes <by> level";
     table.columns = {{"name", "Name", "", Show::plain, 0},
@@ -24,20 +24,20 @@ Table sample() {
 }
 
 TEST(Table, jsonKeepsTypesAndOrder) {
-    const auto json = nlohmann::ordered_json::parse(toJson(sample()));
+    const auto json = nlohmann::ordered_json::parse(toJson(sampleTable()));
     ASSERT_EQ(json.size(), 2U);
     EXPECT_EQ(json[0].dump(), R"({"name":"leaf, \"big\"","bytes":2048,"known":0.5,"time":1.25})");
     EXPECT_EQ(json[1].dump(), R"({"name":"<b>&","bytes":null,"known":null,"time":true})");
 }
 
 TEST(Table, jsonOfBytesThatAreNotUtf8Parses) {
-    Table table = sample();
+    Table table = sampleTable();
     table.rows[0][0] = "\xFF";
     EXPECT_EQ(nlohmann::json::parse(toJson(table))[0]["name"], "\xEF\xBF\xBD");
 }
 
 TEST(Table, csvQuotesWhatItMust) {
-    EXPECT_EQ(toCsv(sample()),
+    EXPECT_EQ(toCsv(sampleTable()),
               "name,bytes,known,time (s)\r\n"
               "\"leaf, \"\"big\"\"\",2048,0.5,1.25\r\n"
               "<b>&,,,true\r\n");
@@ -51,7 +51,7 @@ TEST(Table, csvNumbersComeBackExactly) {
 }
 
 TEST(Table, htmlShowsUnitsAndEscapes) {
-    const std::string html = toHtml(sample());
+    const std::string html = toHtml(sampleTable());
     EXPECT_THAT(html, HasSubstr("Sizes &lt;by&gt; level"));
     EXPECT_THAT(html, HasSubstr("&lt;b&gt;&amp;"));
     EXPECT_THAT(html, HasSubstr("<td class=\"n\">2.00 KiB</td>"));
