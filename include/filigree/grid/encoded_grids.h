@@ -3,6 +3,7 @@
 
 #include "filigree/bvh/node.h"
 #include "filigree/grid/lattice.h"
+#include "filigree/grid/paper.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,7 @@ std::optional<Codec> codecNamed(std::string_view name);
 struct EncodedGrids {
     Codec codec = Codec::lattice;
     Lattice lattice;  // of tiles and clusters
+    PaperCode paper;  // of sub-grids
     std::vector<bvh::Node>
         nodes;  // the first is the root; boxes in lattice coordinates; paper: in world units
     // [leaf_count], where each record begins, in units of 8 bytes; the top bit marks a cluster. Empty where
