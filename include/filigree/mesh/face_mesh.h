@@ -1,6 +1,7 @@
 // Triangles and quads over shared vertices, as mesh files hold them.
 #pragma once
 
+#include "filigree/core/result.h"
 #include "filigree/core/vec3.h"
 #include "filigree/mesh/uv_triangle.h"
 
@@ -28,5 +29,8 @@ struct FaceMesh {
 
     [[nodiscard]] uint64_t triangleCount() const;  // below 2^32
 };
+
+// What the comments above promise. The error names the first vertex or face that breaks it.
+Status check(const FaceMesh& mesh);
 
 }  // namespace filigree::mesh
