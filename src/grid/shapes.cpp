@@ -70,7 +70,7 @@ ExactPoint torusPoint(double around, double tube) {
     const ExactPoint normal{ct * ca, st, -ct * sa};
     const ExactPoint p{ca + 0.4 * normal[0], 0.4 * normal[1], -sa + 0.4 * normal[2]};
     const double bumps = 0.05 * fractalNoise<3>(p, 2.5, 3, 0.5, 5);
-    const double detail = 0.012 * ridgedNoise<3>(p, 12, 3, 0.4, 0.05, 7);
+    const double detail = 0.018 * ridgedNoise<3>(p, 12, 3, 0.4, 0.05, 7);
     ExactPoint displaced{};
     for (size_t k = 0; k < 3; ++k) displaced[k] = p[k] + (bumps + detail) * normal[k];
     return displaced;
