@@ -1,6 +1,7 @@
 // Rays through the pixels of a picture.
 #pragma once
 
+#include "filigree/core/box.h"
 #include "filigree/core/vec3.h"
 #include "filigree/scene/scene.h"
 
@@ -22,5 +23,10 @@ class CameraRays {
     Vec3 right_{};   // one pixel
     Vec3 down_{};
 };
+
+inline constexpr float usualFov = 0.8F;  // radians, vertical
+
+// Looks along -`from`, of length 1, at all of the box, from as near as it fits.
+scene::Camera cameraOutside(const Box& box, const Vec3& from, float aspect);
 
 }  // namespace filigree::trace

@@ -2,21 +2,21 @@
 
 #include "trace/camera.h"
 #include "trace/cast.h"
+#include "trace/cosine_direction.h"
 #include "trace/random.h"
+#include "trace/tiles.h"
 #include "trace/world_data.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 namespace filigree::trace {
 namespace {
 
 constexpr float farthest = std::numeric_limits<float>::infinity();
-constexpr uint32_t tileSide = 32;  // pixels
 constexpr Vec3 sunlight{2.6F, 2.35F, 1.9F};
 constexpr Vec3 haze{1.1F, 1.3F, 1.5F};
 constexpr Vec3 zenith{0.35F, 0.7F, 1.4F};
@@ -39,21 +39,6 @@ struct Place {
     Vec3 normal{};  // geometric, of length 1, towards the ray's origin
     Vec3 albedo{};
 };
-
-// About the axis `n`, with the density of a diffuse reflection (Malley's method).
-Vec3 cosineDirection(const Vec3& n, RandomStream& random) {
-    const float radius = std::sqrt(random.next());
-    const float angle = 2 * std::numbers::pi_v<float> * random.next();
-    // A frame without branches: Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
-    const float sign = std::copysign(1.0F, n[2]);
-    const float a = -1 / (sign + n[2]);
-    const float b = n[0] * n[1] * a;
-    const Vec3 t{1 + sign * n[0] * n[0] * a, sign * b, -sign * n[0]};
-    const Vec3 s{b, sign + n[1] * n[1] * a, -n[1]};
-    const float up = std::sqrt(std::max(0.0F, 1 - radius * radius));
-    return normalised(
-        plus(times(n, up), plus(times(t, radius * std::cos(angle)), times(s, radius * std::sin(angle)))));
-}
 
 const std::array<float, 256>& linearOfSrgb() {
     static const std::array<float, 256> table = [] {
@@ -197,21 +182,6 @@ class Walker {
     float aoDistance_;  // world units
     uint64_t pixelsHit_ = 0;
 };
-
-// Calls pixel(x, y) for each pixel of one tile.
-template <class Pixel>
-void forTile(uint32_t width, uint32_t height, size_t tile, Pixel&& pixel) {
-    const uint32_t columns = (width + tileSide - 1) / tileSide;
-    const auto left = static_cast<uint32_t>(tile % columns) * tileSide;
-    const auto top = static_cast<uint32_t>(tile / columns) * tileSide;
-    for (uint32_t y = top; y < std::min(top + tileSide, height); ++y) {
-        for (uint32_t x = left; x < std::min(left + tileSide, width); ++x) pixel(x, y);
-    }
-}
-
-size_t tileCount(uint32_t width, uint32_t height) {
-    return size_t{(width + tileSide - 1) / tileSide} * ((height + tileSide - 1) / tileSide);
-}
 
 struct TileResult {
     Counters counters;

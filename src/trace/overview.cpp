@@ -14,7 +14,6 @@
 namespace filigree::trace {
 namespace {
 
-constexpr float fov = 0.8F;
 constexpr uint32_t trialHeight = 40;  // pixels of a picture that tries a camera
 constexpr unsigned directions = 8;
 
@@ -24,24 +23,6 @@ Vec3 towards(unsigned direction, float elevation) {
             std::sin(angle) * std::cos(elevation)};
 }
 
-// Looks along -`from` at all of the box, from as near as it fits.
-scene::Camera outside(const Box& box, const Vec3& from, float aspect) {
-    const Vec3 centre = times(plus(box.low, box.high), 0.5F);
-    const scene::Camera at = lookAt(plus(centre, from), centre, {0, 1, 0}, fov);
-    const auto& m = at.transform;
-    const Vec3 right{m[0], m[1], m[2]};
-    const Vec3 above{m[4], m[5], m[6]};
-    const float slope = std::tan(fov / 2);
-    float distance = 1e-3F;
-    for (unsigned k = 0; k < 8; ++k) {
-        const Vec3 corner = minus(box.corner(k), centre);
-        const float reach =
-            std::max(std::fabs(dot(corner, right)) / (slope * aspect), std::fabs(dot(corner, above)) / slope);
-        distance = std::max(distance, dot(corner, from) + reach);
-    }
-    return lookAt(plus(centre, times(from, distance)), centre, {0, 1, 0}, fov);
-}
-
 // From within the box, `along` and `up` shares of it, along its longer side.
 scene::Camera inside(const Box& box, float along, float up, const Vec3& direction) {
     const Vec3 size = minus(box.high, box.low);
@@ -49,7 +30,7 @@ scene::Camera inside(const Box& box, float along, float up, const Vec3& directio
     const size_t axis = size[0] >= size[2] ? 0 : 2;
     eye[axis] = box.low[axis] + along * size[axis];
     eye[1] = box.low[1] + up * size[1];
-    return lookAt(eye, plus(eye, direction), {0, 1, 0}, fov);
+    return lookAt(eye, plus(eye, direction), {0, 1, 0}, usualFov);
 }
 
 // What a camera sees.
@@ -123,11 +104,12 @@ bool hasHoles(const World& world) {
 
 scene::Camera overview(const World& world, float aspect) {
     const Box box = world.bounds();
-    if (box.empty()) return lookAt({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, fov);
+    if (box.empty()) return lookAt({0, 0, 1}, {0, 0, 0}, {0, 1, 0}, usualFov);
     const auto opacity = Opacity::make(Method::texture, 4, world, {}, {});
     Choice whole(world, *opacity, aspect);
     for (const float elevation : {0.25F, 0.5F}) {
-        for (unsigned k = 0; k < directions; ++k) whole.offer(outside(box, towards(k, elevation), aspect));
+        for (unsigned k = 0; k < directions; ++k)
+            whole.offer(cameraOutside(box, towards(k, elevation), aspect));
     }
     constexpr double enough = 0.01;  // of the picture
     if (!hasHoles(world) || whole.best().testedShare > enough) return whole.camera();
