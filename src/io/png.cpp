@@ -169,6 +169,28 @@ Result<image::AlphaImage> decodePngAlpha(std::span<const uint8_t> bytes, bool gr
     return rgbaChannel(*decoder, 0);
 }
 
+Result<GreyImage> decodePngGrey(std::span<const uint8_t> bytes) {
+    Result<Decoder> decoder = Decoder::open(bytes);
+    if (!decoder) return decoder.error();
+    const spng_ihdr& header = decoder->header();
+    if (!isGrey(header) || header.bit_depth < 8) {
+        return Error{ErrorKind::format,
+                     fmt::format("PNG: colour type {} of {} bits, expected grey of 8 or 16",
+                                 header.color_type, header.bit_depth)};
+    }
+    GreyImage grey{{header.width, header.height}, {}};
+    if (header.bit_depth == 16) {
+        Result<std::vector<uint16_t>> values = decoder->decode<uint16_t>(SPNG_FMT_PNG, 1);
+        if (!values) return values.error();
+        grey.values = std::move(*values);
+    } else {
+        const Result<std::vector<uint8_t>> values = decoder->decode<uint8_t>(SPNG_FMT_PNG, 1);
+        if (!values) return values.error();
+        grey.values.assign(values->begin(), values->end());
+    }
+    return grey;
+}
+
 Result<std::vector<uint8_t>> encodePng(const scene::ColourImage& image) {
     return encode(headerOf(image.width, image.height, 8, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA), image.rgba);
 }
