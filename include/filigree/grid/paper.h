@@ -97,10 +97,17 @@ struct PaperPlace {
 // Vertex (column, row) at row * 5 + column. Past the sub-grid's quads they mean nothing.
 using PaperVertices = std::array<Vec3, paperSide * paperSide>;
 
+// The points of the patch, without displacements. `columns` and `rows` are 1 to 4.
+PaperVertices paperPatch(const std::array<Vec3, 4>& corners, unsigned columns, unsigned rows);
+
 // What the codec adds to the patch for a code of 24 bits.
 Vec3 displacementOf(uint32_t code, const PaperCode& paper);
 
 // Any 128 bytes decode to something; meaningful where checkPaper() finds nothing.
+inline uint32_t paperSlotCode(const uint8_t* record, unsigned slot) {
+    return loadLe<uint32_t>(record + paperSlotsAt + size_t{3} * slot) & 0xffffff;
+}
+std::array<Vec3, 4> paperCorners(const uint8_t* record);  // near near, far near, near far, far far
 PaperPlace paperPlace(const uint8_t* record);
 PaperVertices decodePaper(const uint8_t* record, const PaperCode& paper);
 
