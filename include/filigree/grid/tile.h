@@ -1,0 +1,61 @@
+// Tiles of the lattice codec: up to 16 x 16 quads of a grid in one record (docs/spec/lattice.md).
+#pragma once
+
+#include "filigree/core/box.h"
+#include "filigree/core/result.h"
+#include "filigree/grid/lattice.h"
+#include "filigree/grid/vertex_grid.h"
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace filigree::grid {
+
+// Which quads of which grid.
+struct TilePlace {
+    uint32_t grid = 0;     // below 2^24
+    uint32_t column = 0;   // of the first quad, a multiple of 16
+    uint32_t row = 0;      // the same
+    unsigned columns = 0;  // quads, 1..16
+    unsigned rows = 0;     // the same
+    bool operator==(const TilePlace&) const = default;
+};
+
+// The tiles that cover grid number `grid`, row by row.
+std::vector<TilePlace> tilesOf(const VertexGrid& grid, uint32_t index);
+
+// A tile's vertices and diagonals; what is not covered is zero.
+struct Tile {
+    static constexpr unsigned side = 17;  // vertices
+    TilePlace place;
+    std::array<LatticePoint, side * side> points{};  // each coordinate in [0, latticeLimit)
+    std::bitset<16 * 16> bd;                         // quad row * 16 + column has Diagonal::bd
+
+    [[nodiscard]] LatticePoint& at(unsigned column, unsigned row) { return points[row * side + column]; }
+    [[nodiscard]] const LatticePoint& at(unsigned column, unsigned row) const {
+        return points[row * side + column];
+    }
+    // Of all its vertices, in lattice coordinates.
+    [[nodiscard]] Box box() const;
+    bool operator==(const Tile&) const = default;
+};
+
+// The tile at `place` of a mesh whose vertices lie in the lattice's range (grid/lattice_choice.h).
+Tile snapTile(const GridMesh& mesh, const Lattice& lattice, const TilePlace& place);
+
+// Appends the tile's record, a multiple of 8 bytes; decodeTile gives the same tile again.
+void encodeTile(const Tile& tile, std::vector<uint8_t>& records);
+
+// Whether exactly these bytes are a record that may be decoded.
+Status checkTile(std::span<const uint8_t> record);
+
+// Of a record that passed checkTile.
+size_t tileBytes(const uint8_t* record);
+TilePlace tilePlace(const uint8_t* record);
+Tile decodeTile(const uint8_t* record);
+
+}  // namespace filigree::grid
