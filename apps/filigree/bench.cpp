@@ -60,6 +60,7 @@ void addBench(CLI::App& app, Commands& commands) {
     bench->require_subcommand(1);
     addBenchBake(*bench, commands);
     addBenchEncode(*bench, commands);
+    addBenchGrids(*bench, commands);
     addBenchLookup(*bench, commands);
     addBenchTrace(*bench, commands);
 }

@@ -80,6 +80,7 @@ void addValidate(CLI::App& app, Commands& commands);
 void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);
 void addBenchEncode(CLI::App& bench, Commands& commands);
+void addBenchGrids(CLI::App& bench, Commands& commands);
 void addBenchLookup(CLI::App& bench, Commands& commands);
 void addBenchTrace(CLI::App& bench, Commands& commands);
 void addRender(CLI::App& app, Commands& commands);

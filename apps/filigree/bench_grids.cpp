@@ -1,0 +1,94 @@
+#include "filigree/jobs/bench_grids.h"
+
+#include "command.h"
+#include "picture_options.h"
+#include "text_table.h"
+
+namespace filigree::app {
+namespace {
+
+report::Table tableOf(const jobs::BenchGridsSummary& summary) {
+    using report::Show;
+    report::Table table;
+    table.columns = {{"scene", "scene"},
+                     {"method", "method"},
+                     {"triangles", "triangles", "", Show::compact},
+                     {"bytes", "bytes a triangle", "", Show::plain, 3},
+                     {"build", "build", "s", Show::plain, 3},
+                     {"primary", "primary", "Mrays/s", Show::plain, 3},
+                     {"ratio_primary", "ratio", "", Show::plain, 3},
+                     {"bounce", "bounce", "Mrays/s", Show::plain, 3},
+                     {"ratio_bounce", "ratio", "", Show::plain, 3},
+                     {"ao", "AO", "Mrays/s", Show::plain, 3},
+                     {"ratio_ao", "ratio", "", Show::plain, 3},
+                     {"shuffled", "shuffled", "Mrays/s", Show::plain, 3},
+                     {"ratio_shuffled", "ratio", "", Show::plain, 3}};
+    for (const auto& r : summary.rows) {
+        table.rows.push_back({r.scene, r.method, static_cast<int64_t>(r.triangles), r.bytesPerTriangle,
+                              r.buildSeconds, r.primary.mraysPerSecond, r.primary.ratio,
+                              r.bounce.mraysPerSecond, r.bounce.ratio, r.ao.mraysPerSecond, r.ao.ratio,
+                              r.shuffled.mraysPerSecond, r.shuffled.ratio});
+    }
+    return table;
+}
+
+report::Table leaksOf(const jobs::BenchGridsSummary& summary) {
+    report::Table table;
+    table.columns = {{"scene", "closed shape"},
+                     {"method", "method"},
+                     {"rays", "rays at vertices and edges"},
+                     {"misses", "misses"}};
+    for (const auto& l : summary.leaks)
+        table.rows.push_back(
+            {l.scene, l.method, static_cast<int64_t>(l.rays), static_cast<int64_t>(l.misses)});
+    return table;
+}
+
+}  // namespace
+
+void addBenchGrids(CLI::App& bench, Commands& commands) {
+    Command command(
+        bench, "grids",
+        "Measure compressed grids against Embree: bytes, build times, rays on one thread, and leaks",
+        "filigree bench grids terrain torus --sizes 1025 --json grids.json");
+    const auto options = std::make_shared<jobs::BenchGridsOptions>();
+    const auto full = std::make_shared<bool>(false);
+    auto& verb = command.options();
+    verb.add_option("scenes", options->scenes,
+                    "terrain and torus, made in code, or files as for the verb grids; default both shapes")
+        ->type_name("SCENE");
+    verb.add_option("--sizes", options->sizes,
+                    "Vertices a side of the shapes, with commas between them; default 1025,2049")
+        ->delimiter(',')
+        ->type_name("N");
+    verb.add_flag("--full", *full, "The size 4097, too, and ten times as many rays that look for leaks");
+    verb.add_option("--methods", options->methods,
+                    "Of triangles, triangles-compact, triangles-qbvh8, grids, grids-compact, paper and "
+                    "lattice, with commas between them; default all")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    verb.add_option("--rounds", options->rounds, "Runs of each row, of which the median counts; default 5")
+        ->type_name("N");
+    addSizeOption(verb, options->width, options->height, "1280x800");
+    verb.add_option("--leak-rays", options->leakRays,
+                    "Rays aimed at the vertices and edges of a closed torus and a box; default 10000000")
+        ->type_name("N");
+    verb.add_option("--leak-size", options->leakSize,
+                    "Vertices a side of that torus, and quads a side of the box; default 513")
+        ->type_name("N");
+    command.onRun([command, options, full] {
+        if (*full) {
+            options->sizes.push_back(4097);
+            options->leakRays *= 10;
+        }
+        auto progress = command.progress();
+        return command.finish(jobs::benchGrids(*options, *command.executor(), progress),
+                              [](const auto& summary) {
+                                  printTable(tableOf(summary));
+                                  if (!summary.leaks.empty()) printTable(leaksOf(summary));
+                              });
+    });
+    commands.push_back(command);
+}
+
+}  // namespace filigree::app

@@ -1,0 +1,258 @@
+#include "filigree/jobs/bench_grids.h"
+
+#include "filigree/core/box.h"
+#include "filigree/grid/shapes.h"
+#include "filigree/trace/grid_rays.h"
+#include "filigree/trace/render.h"
+
+#include "jobs/grid_leaks.h"
+#include "jobs/grid_methods.h"
+#include "jobs/grid_race.h"
+#include "jobs/json_text.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace filigree::jobs {
+namespace {
+
+constexpr uint32_t leastShapeSize = 65;
+constexpr uint32_t mostShapeSize = 8193;
+constexpr std::string_view stockMethod = "triangles";
+
+using MakeShape = grid::GridMesh (*)(uint32_t n, const Executor& executor);
+struct GridShape {
+    std::string_view name;
+    MakeShape make;
+};
+constexpr std::array<GridShape, 2> gridShapes{{{"terrain", grid::terrain}, {"torus", grid::torus}}};
+
+const GridShape* gridShapeNamed(std::string_view name) {
+    const auto* found = std::ranges::find(gridShapes, name, &GridShape::name);
+    return found == gridShapes.end() ? nullptr : found;
+}
+
+// What is measured, by its name.
+struct GridScene {
+    std::string name;
+    grid::GridMesh mesh;
+};
+
+Status checkBenchGrids(const BenchGridsOptions& options) {
+    for (const uint32_t n : options.sizes) {
+        if (n < leastShapeSize || n > mostShapeSize)
+            return Error{ErrorKind::usage, fmt::format("--sizes {}: give numbers from {} to {}", n,
+                                                       leastShapeSize, mostShapeSize)};
+    }
+    for (const std::string& name : options.methods) {
+        if (!isGridMethod(name))
+            return Error{ErrorKind::usage, fmt::format("--methods {}: choose among {}", name,
+                                                       fmt::join(gridMethodNames(), ", "))};
+    }
+    if (options.rounds == 0) return Error{ErrorKind::usage, "--rounds 0: give one or more"};
+    return trace::checkSize(options.width, options.height);
+}
+
+// The stock method first, whether asked for or not.
+std::vector<std::string> methodsToRace(const BenchGridsOptions& options) {
+    std::vector<std::string> methods{std::string(stockMethod)};
+    for (const std::string_view name : gridMethodNames()) {
+        const bool wanted =
+            options.methods.empty() || std::ranges::find(options.methods, name) != options.methods.end();
+        if (wanted && name != stockMethod) methods.emplace_back(name);
+    }
+    return methods;
+}
+
+Box boundsOf(const grid::GridMesh& mesh) {
+    Box box;
+    for (const Vec3& v : mesh.vertices) box.extend(v);
+    for (const Vec3& v : mesh.looseVertices) box.extend(v);
+    return box;
+}
+
+BenchGridsSpeed speedOf(const GridSpeed& speed) {
+    return {speed.mraysPerSecond, speed.ratio, speed.hits, speed.batched};
+}
+
+// One scene with all methods.
+class GridSceneBench {
+  public:
+    GridSceneBench(const BenchGridsOptions& options, const GridScene& scene, const Executor& executor,
+                   ProgressSink& progress, BenchGridsSummary& summary)
+        : options_(options), scene_(scene), executor_(executor), progress_(progress), summary_(summary) {}
+
+    Status run() {
+        if (const Status made = makeStock(); !made) return made;
+        std::vector<std::string> group;
+        for (const std::string& name : methodsToRace(options_)) {
+            if (name == stockMethod) continue;
+            if (!group.empty() && estimate(group) + estimate({name}) > options_.memory) {
+                if (const Status raced = race(group); !raced) return raced;
+                group.clear();
+            }
+            group.push_back(name);
+        }
+        return race(group);
+    }
+
+  private:
+    // Also gives the rays, from a build that loses none.
+    Status makeStock() {
+        const Box bounds = boundsOf(scene_.mesh);
+        {
+            auto reference = trace::EmbreeGrids::build(scene_.mesh, trace::EmbreeLayout::trianglesCompact,
+                                                       {.robust = true, .threads = executor_.concurrency()});
+            if (!reference) return reference.error();
+            trace::GridRayOptions options;
+            options.width = options_.width;
+            options.height = options_.height;
+            const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
+            rays_ = gridRaySets(*reference, bounds, trace::overviewOf(bounds, aspect), options);
+        }
+        auto stock = makeGridMethod(stockMethod, scene_.mesh, executor_);
+        if (!stock) return stock.error();
+        stock_ = std::move(*stock);
+        return {};
+    }
+
+    // Of what methods take while they are built, from what Embree takes for a triangle.
+    [[nodiscard]] uint64_t estimate(const std::vector<std::string>& names) const {
+        uint64_t bytes = 0;
+        for (const std::string& name : names)
+            bytes += (name.starts_with(stockMethod) ? 120 : 40) * scene_.mesh.triangleCount();
+        return bytes;
+    }
+
+    Status race(const std::vector<std::string>& group) {
+        std::vector<std::unique_ptr<GridMethod>> made;
+        std::vector<GridMethod*> methods{stock_.get()};
+        for (const std::string& name : group) {
+            auto method = makeGridMethod(name, scene_.mesh, executor_);
+            if (!method) return method.error().within(scene_.name);
+            made.push_back(std::move(*method));
+            methods.push_back(made.back().get());
+            if (progress_.cancelled()) return Error{ErrorKind::cancelled, "the bench was cancelled"};
+        }
+        const auto speeds = raceGrids(methods, rays_, options_.rounds, progress_);
+        if (!speeds) return speeds.error();
+        if (!stockListed_) addRow(stockMethod, *stock_, speeds->front());
+        stockListed_ = true;
+        for (size_t k = 0; k < group.size(); ++k) addRow(group[k], *made[k], (*speeds)[k + 1]);
+        return {};
+    }
+
+    void addRow(std::string_view name, const GridMethod& method, const GridSpeeds& speeds) {
+        BenchGridsRow row;
+        row.scene = scene_.name;
+        row.triangles = scene_.mesh.triangleCount();
+        row.method = name;
+        row.bytesPerTriangle = static_cast<double>(method.bytes()) / static_cast<double>(row.triangles);
+        row.buildSeconds = method.buildSeconds();
+        row.cacheBytes = method.cacheBytes();
+        row.primary = speedOf(speeds[static_cast<size_t>(GridRayKind::primary)]);
+        row.bounce = speedOf(speeds[static_cast<size_t>(GridRayKind::bounce)]);
+        row.ao = speedOf(speeds[static_cast<size_t>(GridRayKind::ao)]);
+        row.shuffled = speedOf(speeds[static_cast<size_t>(GridRayKind::shuffled)]);
+        summary_.rows.push_back(std::move(row));
+    }
+
+    const BenchGridsOptions& options_;
+    const GridScene& scene_;
+    const Executor& executor_;
+    ProgressSink& progress_;
+    BenchGridsSummary& summary_;
+    trace::GridRaySets rays_;
+    std::unique_ptr<GridMethod> stock_;
+    bool stockListed_ = false;
+};
+
+// A closed shape that rays must not leave.
+struct ClosedShape {
+    std::string_view name;
+    MakeShape make;
+    Vec3 (*behind)(const Vec3& target, Random& random);
+};
+constexpr std::array<ClosedShape, 2> closedShapes{
+    {{"torus", grid::torus, behindTorus}, {"box", grid::box, behindBox}}};
+
+Status countAllLeaks(const BenchGridsOptions& options, const Executor& executor, ProgressSink& progress,
+                     BenchGridsSummary& summary) {
+    for (const ClosedShape& shape : closedShapes) {
+        const grid::GridMesh mesh = shape.make(options.leakSize, executor);
+        for (const std::string& name : methodsToRace(options)) {
+            auto method = makeGridMethod(name, mesh, executor);
+            if (!method) return method.error().within(std::string(shape.name));
+            const auto decoded = (*method)->decoded(mesh);
+            if (!decoded) return decoded.error().within(std::string(shape.name));
+            const uint64_t rays = options.leakRays / closedShapes.size();
+            const GridLeaks leaks =
+                countLeaks(**method, *decoded, shape.behind, name == "lattice" ? rays : rays / 10);
+            summary.leaks.push_back({std::string(shape.name), name, leaks.rays, leaks.misses});
+            if (progress.cancelled()) return Error{ErrorKind::cancelled, "the bench was cancelled"};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<BenchGridsSummary> benchGrids(const BenchGridsOptions& options, const Executor& executor,
+                                     ProgressSink& progress) {
+    if (const Status checked = checkBenchGrids(options); !checked) return checked.error();
+    BenchGridsSummary summary;
+    const auto bench = [&](const GridScene& scene) {
+        return GridSceneBench(options, scene, executor, progress, summary).run();
+    };
+    for (const std::string& name : options.scenes) {
+        const GridShape* shape = gridShapeNamed(name);
+        if (shape == nullptr) return Error{ErrorKind::usage, fmt::format("{}: files are not read yet", name)};
+        for (const uint32_t n : options.sizes) {
+            const Status done = bench({fmt::format("{} {}", name, n), shape->make(n, executor)});
+            if (!done) return done.error();
+        }
+    }
+    if (options.leakRays > 0) {
+        if (const Status counted = countAllLeaks(options, executor, progress, summary); !counted)
+            return counted.error();
+    }
+    return summary;
+}
+
+std::string toJson(const BenchGridsSummary& summary) {
+    Json rows = Json::array();
+    for (const BenchGridsRow& r : summary.rows) {
+        rows.push_back({{"scene", r.scene},
+                        {"triangles", r.triangles},
+                        {"method", r.method},
+                        {"bytes_per_triangle", r.bytesPerTriangle},
+                        {"build_seconds", r.buildSeconds},
+                        {"cache_bytes", r.cacheBytes},
+                        {"primary_mrays", r.primary.mraysPerSecond},
+                        {"bounce_mrays", r.bounce.mraysPerSecond},
+                        {"ao_mrays", r.ao.mraysPerSecond},
+                        {"shuffled_mrays", r.shuffled.mraysPerSecond},
+                        {"ratio_primary", r.primary.ratio},
+                        {"ratio_bounce", r.bounce.ratio},
+                        {"ratio_ao", r.ao.ratio},
+                        {"ratio_shuffled", r.shuffled.ratio}});
+    }
+    BenchGridsLeaks lattice;
+    Json leaks = Json::array();
+    for (const BenchGridsLeaks& l : summary.leaks) {
+        leaks.push_back({{"scene", l.scene}, {"method", l.method}, {"rays", l.rays}, {"misses", l.misses}});
+        if (l.method != "lattice") continue;
+        lattice.rays += l.rays;
+        lattice.misses += l.misses;
+    }
+    return dump({{"rows", rows},
+                 {"leaks", {{"rays", lattice.rays}, {"misses", lattice.misses}}},
+                 {"leaks_by_method", leaks}});
+}
+
+}  // namespace filigree::jobs
