@@ -10,10 +10,16 @@
 
 namespace filigree::grid {
 
+// The most triangles that gridsOf takes.
+inline constexpr uint64_t maxConvertTriangles = uint64_t{1} << 30;
+
 struct ConvertOptions {
     // Grids take only quads whose diagonal is ac, as the paper's codec needs it; others go into grids turned
     // by a quarter, or stay loose.
     bool uniformDiagonals = false;
+    // Quads of the mesh are cut along whichever diagonal suits their grid, since most files mean none: all
+    // grids of quads get ac. Otherwise they are the triangles 0 1 2 and 0 2 3 (mesh::Face).
+    bool turnQuads = false;
     // Keeps normals and texture coordinates. Vertices of one position that differ in them are then two, and
     // grids end there.
     bool attributes = true;
@@ -25,8 +31,8 @@ struct ConvertOptions {
 // and columns are added on all four sides, over edges that exactly two faces share in opposite directions,
 // until none fits. What would take more bytes as a grid than as loose triangles stays loose, as do triangles
 // with fewer than three different vertices. Triangles keep their winding, not their first vertex. The same
-// answer for any executor. Fails with ErrorKind::limit at 2^32 triangles, ErrorKind::format on what
-// mesh::check refuses.
+// answer for any executor. Fails with ErrorKind::limit above maxConvertTriangles, ErrorKind::format on
+// what mesh::check refuses.
 Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options, const Executor& executor);
 
 }  // namespace filigree::grid
