@@ -4,6 +4,7 @@
 
 #include "grid/triangles_of.h"
 
+#include <bit>
 #include <map>
 #include <utility>
 
@@ -39,6 +40,14 @@ void expectClosed(const GridMesh& mesh) {
         ASSERT_TRUE(edges.contains({edge.second, edge.first}));
     }
     EXPECT_GT(volumeOf(mesh), 0);
+}
+
+uint64_t hashOf(const GridMesh& mesh) {
+    uint64_t hash = 0;
+    for (const Vec3& v : mesh.vertices) {
+        for (const float x : v) hash = hash * 0x9E3779B97F4A7C15U + std::bit_cast<uint32_t>(x);
+    }
+    return hash;
 }
 
 TEST(Shapes, TorusAndBoxAreClosed) {
@@ -85,6 +94,12 @@ TEST(Shapes, AreTheSameForAnyExecutor) {
     EXPECT_EQ(terrain(65, *threads).vertices, terrain(65, serialExecutor()).vertices);
     EXPECT_EQ(torus(65, *threads).vertices, torus(65, serialExecutor()).vertices);
     EXPECT_EQ(box(20, *threads).vertices, box(20, serialExecutor()).vertices);
+}
+
+TEST(Shapes, AreTheSameOnEveryMachine) {
+    EXPECT_EQ(hashOf(terrain(65, serialExecutor())), 4793085648774355870u);
+    EXPECT_EQ(hashOf(torus(65, serialExecutor())), 11881059726901209123u);
+    EXPECT_EQ(hashOf(box(20, serialExecutor())), 18307028787614948411u);
 }
 
 TEST(Shapes, AreTheSameSurfaceAtEveryResolution) {
