@@ -18,8 +18,9 @@ struct Bvh {
 };
 
 // A binned SAH tree, collapsed to 8 children a node so that nodes are full. Every node's child boxes contain
-// the boxes given. None may be empty or not finite, at least one is needed, at most 2^31. The same nodes for
-// any executor.
+// the boxes given. None may be empty or reach 2^127, at least one is needed, at most 2^31. The same nodes for
+// any executor. Beside the result it needs some 10 bytes a box, and memory for the subtrees that are being
+// built: at most 65,536 boxes each.
 Bvh build(std::span<const Box> boxes, const Executor& executor);
 
 // What traversal relies on: children behind their parents, each node and each of `leafCount` leaves in one

@@ -10,11 +10,12 @@
 namespace filigree::bvh {
 
 inline constexpr size_t width = 8;
+inline constexpr int minExponent = -126;  // so that 2^exponent is a normal float
 
 // Child boxes lie on a lattice of the node's own: low and high are bytes q for origin + q * 2^exponent on
-// each axis, rounded outwards. A child is empty, another node, or one leaf. Inner children stand at
-// firstChild, firstChild + 1, ... in slot order, leaves are numbered firstLeaf, firstLeaf + 1, ... in slot
-// order.
+// each axis, rounded outwards; places of the lattice fit in 24 bits, so that floats hold them exactly. A
+// child is empty, another node, or one leaf. Inner children stand at firstChild, firstChild + 1, ... in slot
+// order, leaves are numbered firstLeaf, firstLeaf + 1, ... in slot order.
 struct Node {
     std::array<float, 3> origin{};
     std::array<int8_t, 3> exponent{};
@@ -27,6 +28,12 @@ struct Node {
 
     // The box of child k, exact in float.
     [[nodiscard]] Box childBox(size_t k) const;
+    // Bit k: child k is a leaf.
+    [[nodiscard]] unsigned leafMask() const {
+        unsigned mask = 0;
+        for (size_t k = 0; k < width; ++k) mask |= static_cast<unsigned>(meta[k]) << k;
+        return mask;
+    }
 };
 static_assert(sizeof(Node) == 80);
 
