@@ -17,7 +17,6 @@ Status check(const EncodedGrids& grids, const Executor& executor);
 
 // Checks in addition to that, what check() accepted against a table of grids: every quad and each of the
 // loose triangles stands in one record.
-Status checkPlaces(const EncodedGrids& grids, std::span<const VertexGrid> table, uint32_t looseTriangles,
-                   const Executor& executor);
+Status checkPlaces(const EncodedGrids& grids, std::span<const VertexGrid> table, uint32_t looseTriangles);
 
 }  // namespace filigree::grid

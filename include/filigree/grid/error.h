@@ -11,7 +11,7 @@
 
 namespace filigree::grid {
 
-// Of the box around all vertices, those of loose triangles included; world units.
+// The box around all vertices, those of loose triangles included; world units.
 Box boundsOf(const GridMesh& mesh);
 
 // Distances between decoded and source vertices, world units.
@@ -37,7 +37,7 @@ struct SubGridShares {
     uint32_t rows = 0;
     std::vector<float> shares;
 };
-SubGridShares subGridShares(const GridMesh& mesh, const DecodedGrids& decoded, const VertexGrid& grid);
+SubGridShares subGridShares(const GridMesh& mesh, const DecodedGrids& decoded, uint32_t grid);
 
 // What the codec `paper` would come to on the mesh's grids, without keeping its records; whether their
 // diagonals agree does not matter. Zero where there are no grids.
