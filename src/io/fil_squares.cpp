@@ -4,14 +4,12 @@
 #include "io/fil_meta.h"
 #include "io/fil_sections.h"
 
-#include <algorithm>
 #include <cassert>
 
 namespace filigree::io {
 namespace {
 
-constexpr std::array<std::array<uint8_t, 3>, 6> orders{
-    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
+constexpr size_t placeCodes = 2 * quadmap::squareOrders.size();
 
 unsigned placeCode(std::span<const uint8_t> places, uint64_t triangle) {
     return places[triangle / 2] >> (4 * (triangle % 2)) & 15U;
@@ -19,10 +17,10 @@ unsigned placeCode(std::span<const uint8_t> places, uint64_t triangle) {
 
 Status checkPlaces(std::span<const uint8_t> places, uint64_t triangles) {
     for (uint64_t t = 0; t < triangles; ++t) {
-        if (placeCode(places, t) < 2 * orders.size()) continue;
+        if (placeCode(places, t) < placeCodes) continue;
         return Error{ErrorKind::format,
                      fmt::format("section descriptors: triangle {} has place {}, expected 0 to {}", t,
-                                 placeCode(places, t), 2 * orders.size() - 1)};
+                                 placeCode(places, t), placeCodes - 1)};
     }
     if (triangles % 2 != 0 && places.back() >> 4 != 0)
         return Error{ErrorKind::format, "section descriptors: spare bits of the last byte are not zero"};
@@ -38,16 +36,6 @@ Result<FilHead> headOf(FilSections& sections) {
 }
 
 }  // namespace
-
-std::array<uint8_t, 3> verticesOf(SquarePlace place) {
-    return orders[place.order];
-}
-
-uint8_t orderOf(const std::array<uint8_t, 3>& vertices) {
-    const auto found = std::ranges::find(orders, vertices);
-    assert(found != orders.end());
-    return static_cast<uint8_t>(found - orders.begin());
-}
 
 Result<FilSquareFile> FilSquareFile::read(const std::filesystem::path& path, const FilReadOptions& options) {
     Result<MappedFile> mapped = MappedFile::open(path);
@@ -104,7 +92,7 @@ void FilSquareFile::readIndices(uint64_t first, std::span<int32_t> to) const {
     readFilIndices(indices_, filIndexBits({}, mapCount), first, to);
 }
 
-SquarePlace FilSquareFile::place(uint64_t triangle) const {
+quadmap::SquarePlace FilSquareFile::place(uint64_t triangle) const {
     const unsigned code = placeCode(places_, triangle);
     return {static_cast<quadmap::Half>(code & 1), static_cast<uint8_t>(code >> 1)};
 }

@@ -44,7 +44,7 @@ std::vector<uint8_t> packIndices(std::span<const int32_t> indices, unsigned bits
 }
 
 // Half a byte a triangle, the first of each byte in its low half.
-std::vector<uint8_t> packPlaces(std::span<const SquarePlace> places) {
+std::vector<uint8_t> packPlaces(std::span<const quadmap::SquarePlace> places) {
     std::vector<uint8_t> bytes((places.size() + 1) / 2);
     for (size_t k = 0; k < places.size(); ++k)
         bytes[k / 2] |= static_cast<uint8_t>(codeOf(places[k]) << (4 * (k % 2)));

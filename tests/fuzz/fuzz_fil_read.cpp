@@ -38,7 +38,7 @@ void readSquares(std::vector<uint8_t> bytes) {
     std::vector<int32_t> indices(file->meta().triangleCount());
     file->readIndices(0, indices);
     for (size_t t = 0; t < indices.size(); ++t) {
-        static_cast<void>(io::verticesOf(file->place(t)));
+        static_cast<void>(quadmap::verticesOf(file->place(t)));
         if (indices[t] >= 0) static_cast<void>(file->maps().decode(static_cast<size_t>(indices[t])));
     }
 }

@@ -20,7 +20,7 @@ using tests::TempFolder;
 
 struct Sample {
     std::vector<int32_t> indices{-1, 0, 0, 2, -4, 1, -2};
-    std::vector<SquarePlace> places{
+    std::vector<quadmap::SquarePlace> places{
         {}, {Half::first, 2}, {Half::second, 5}, {Half::first, 0}, {}, {Half::second, 3}, {}};
     std::vector<uint8_t> blocks;
     FilSquares contents;
@@ -96,8 +96,8 @@ TEST(FilSquares, PlacesAndIndicesAreChecked) {
 
 TEST(FilSquares, OrdersAreAllPermutations) {
     for (uint8_t order = 0; order < 6; ++order) {
-        const auto vertices = verticesOf({Half::first, order});
-        EXPECT_EQ(orderOf(vertices), order);
+        const auto vertices = quadmap::verticesOf({Half::first, order});
+        EXPECT_EQ(quadmap::orderOf(vertices), order);
         EXPECT_EQ(vertices[0] + vertices[1] + vertices[2], 3);
     }
 }

@@ -16,19 +16,8 @@
 
 namespace filigree::io {
 
-// Where a triangle stands in its square.
-struct SquarePlace {
-    quadmap::Half half = quadmap::Half::first;
-    // Which of its vertices stand as vertices 0, 1 and 2 of the half (quadmap/place.h): 0 (0, 1, 2), 1 (1, 2,
-    // 0), 2 (2, 0, 1), and turned 3 (0, 2, 1), 4 (1, 0, 2), 5 (2, 1, 0).
-    uint8_t order = 0;
-    bool operator==(const SquarePlace&) const = default;
-};
-std::array<uint8_t, 3> verticesOf(SquarePlace place);
-uint8_t orderOf(const std::array<uint8_t, 3>& vertices);
-
 // The half byte of a place in the file.
-constexpr uint8_t codeOf(SquarePlace place) {
+constexpr uint8_t codeOf(quadmap::SquarePlace place) {
     return static_cast<uint8_t>(static_cast<unsigned>(place.half) | static_cast<unsigned>(place.order) << 1);
 }
 
@@ -36,9 +25,9 @@ constexpr uint8_t codeOf(SquarePlace place) {
 struct FilSquares {
     FilMeta meta;                                               // its level means nothing
     quadmap::SquareFormat format = quadmap::SquareFormat::vq2;  // not raw
-    std::span<const int32_t> indices;     // [triangle_count], a map or special: -1 T, -2 O, -3 and -4 C
-    std::span<const SquarePlace> places;  // [triangle_count]; default where the index is special
-    std::span<const uint8_t> blocks;      // a whole number of maps, below 2^31
+    std::span<const int32_t> indices;  // [triangle_count], a map or special: -1 T, -2 O, -3 and -4 C
+    std::span<const quadmap::SquarePlace> places;  // [triangle_count]; default where the index is special
+    std::span<const uint8_t> blocks;               // a whole number of maps, below 2^31
 };
 
 // As writeFil.
@@ -59,7 +48,7 @@ class FilSquareFile {
 
     // The indices and places of triangles `first`, `first` + 1, ... of all primitives one after another.
     void readIndices(uint64_t first, std::span<int32_t> to) const;
-    [[nodiscard]] SquarePlace place(uint64_t triangle) const;
+    [[nodiscard]] quadmap::SquarePlace place(uint64_t triangle) const;
 
   private:
     FilSquareFile() = default;
