@@ -54,7 +54,7 @@ struct TileHeader {
     TileDiagonals diagonals = TileDiagonals::allAc;
     unsigned dominant = 0;            // an axis
     std::array<uint32_t, 3> base{};   // the vertex (0, 0), below 2^24
-    std::array<unsigned, 3> reach{};  // [axis], of block boxes: bits 0-2 times 2^(bits 3-7), at most 2^20
+    std::array<unsigned, 3> reach{};  // [axis], of block boxes: bits 0-2 times 2^(bits 3-7), at most 2^22
     std::array<unsigned, 3> cornerWidth{};                         // [axis], 0..24, as all widths
     std::array<unsigned, 3> coarseWidth{};                         // [axis]
     std::array<std::array<unsigned, residualClasses>, 3> width{};  // [axis][class]
@@ -111,6 +111,29 @@ inline TileHeader loadTileHeader(const uint8_t* from) {
     return head;
 }
 
+inline void storeTileHeader(uint8_t* to, const TileHeader& head) {
+    std::array<uint32_t, 10> words{};
+    words[0] = head.grid | (head.columns - 1) << 24 | (head.rows - 1) << 28;
+    words[1] = head.tileColumn | head.tileRow << 12 | static_cast<uint32_t>(head.diagonals) << 24 |
+               head.dominant << 26;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        words[2 + axis] = head.base[axis] | head.reach[axis] << 24;
+        words[5 + axis] = head.cornerWidth[axis] | head.coarseWidth[axis] << 5;
+        for (unsigned c = 0; c < 4; ++c) words[5 + axis] |= head.width[axis][c] << (10 + 5 * c);
+        words[8] |= head.width[axis][diagonal] << 5 * axis;
+    }
+    for (unsigned c = 0; c < residualClasses; ++c) words[8] |= head.bias[c] << (15 + 3 * c);
+    for (unsigned minor = 0; minor < 2; ++minor) {
+        const auto low = [](int value, unsigned bits) {
+            return static_cast<uint32_t>(value) & ((1U << bits) - 1);
+        };
+        words[9] |= (low(head.shear[minor], 6) | low(head.shearColumn[minor], 5) << 6 |
+                     low(head.shearRow[minor], 5) << 11)
+                    << 16 * minor;
+    }
+    for (unsigned k = 0; k < words.size(); ++k) storeLe(to + size_t{4} * k, words[k]);
+}
+
 // One byte a block, row by row, at byte 40.
 constexpr unsigned dropOf(uint8_t block) {  // bits off the widths inside the block, not below 0
     return block & 3U;
@@ -121,6 +144,7 @@ constexpr unsigned lowReachOf(uint8_t block) {  // of the box, times reach
 constexpr unsigned highReachOf(uint8_t block) {
     return block >> 5;
 }
+inline constexpr unsigned widestReachShift = 22;
 constexpr uint32_t reachUnit(unsigned reach) {
     return (reach & 7U) << (reach >> 3);
 }
@@ -194,6 +218,15 @@ inline uint32_t insideBits(const TileHeader& head, unsigned blockColumn, unsigne
     const InsideCounts n = insideCounts(head.columnsOf(blockColumn), head.rowsOf(blockRow));
     return n.centres * vertexBits(head, centre, drop) + n.crosses * vertexBits(head, cross, drop) +
            n.diagonals * vertexBits(head, diagonal, drop);
+}
+
+// From tileParts().bits on, in bits.
+inline uint32_t bitStringSize(const uint8_t* record, const TileHeader& head) {
+    uint32_t bits = tileParts(head).insides;
+    for (unsigned j = 0; j < head.blockRows(); ++j)
+        for (unsigned i = 0; i < head.blockColumns(); ++i)
+            bits += insideBits(head, i, j, dropOf(record[tileHeaderBytes + j * head.blockColumns() + i]));
+    return bits;
 }
 
 }  // namespace filigree::grid

@@ -50,10 +50,11 @@ Tile snapTile(const GridMesh& mesh, const Lattice& lattice, const TilePlace& pla
 // Appends the tile's record, a multiple of 8 bytes; decodeTile gives the same tile again.
 void encodeTile(const Tile& tile, std::vector<uint8_t>& records);
 
-// Whether exactly these bytes are a record that may be decoded.
-Status checkTile(std::span<const uint8_t> record);
+// Checks the record at the start of `bytes` and all that decoding it relies on. Returns its size in bytes.
+Result<size_t> checkTile(std::span<const uint8_t> bytes);
 
-// Of a record that passed checkTile.
+// Of a record that passed checkTile, or that encodeTile wrote; decodeTile is the plain decoder that judges
+// the fast ones.
 size_t tileBytes(const uint8_t* record);
 TilePlace tilePlace(const uint8_t* record);
 Tile decodeTile(const uint8_t* record);

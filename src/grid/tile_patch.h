@@ -1,0 +1,121 @@
+// Hierarchical prediction inside a patch of 5 x 5 places (docs/spec/lattice.md, "Patch").
+#pragma once
+
+#include "filigree/grid/lattice.h"
+
+#include "grid/tile_layout.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace filigree::grid {
+
+// Arithmetic modulo 2^32 and, of coordinates, modulo 2^24.
+constexpr int32_t wrapped(uint32_t value) {
+    return static_cast<int32_t>(value);
+}
+constexpr int32_t wrappedPoint(int32_t value) {
+    return value & (latticeLimit - 1);
+}
+constexpr int32_t wrappedResidual(int32_t value) {
+    return wrapped(static_cast<uint32_t>(value) << 8) >> 8;
+}
+constexpr int32_t wrappedSum(int32_t p, int32_t q) {
+    return wrapped(static_cast<uint32_t>(p) + static_cast<uint32_t>(q));
+}
+constexpr int32_t wrappedDifference(int32_t p, int32_t q) {
+    return wrapped(static_cast<uint32_t>(p) - static_cast<uint32_t>(q));
+}
+constexpr int32_t wrappedProduct(int32_t p, int32_t q) {
+    return wrapped(static_cast<uint32_t>(p) * static_cast<uint32_t>(q));
+}
+
+constexpr int32_t half(int32_t p, int32_t q) {
+    return (p + q + 1) >> 1;
+}
+// Place 2 of places 0 and 4.
+constexpr int32_t mid(int32_t p, int32_t q, unsigned steps) {
+    return steps == 3 ? p + ((85 * (q - p) + 128) >> 8) : half(p, q);
+}
+
+// The points of a patch inside an array of `stride` points a row.
+class Patch {
+  public:
+    Patch(LatticePoint* first, size_t stride, unsigned columns, unsigned rows)
+        : first_(first), stride_(stride), columns_(columns), rows_(rows) {}
+
+    LatticePoint& at(unsigned x, unsigned y) { return first_[y * stride_ + x]; }
+    [[nodiscard]] const LatticePoint& at(unsigned x, unsigned y) const { return first_[y * stride_ + x]; }
+
+    // Calls visit(x, y, class, prediction) for each vertex but the corners, after those it is predicted from;
+    // visit may set the vertex.
+    template <class Visit>
+    void walk(const Visit& visit) {
+        walkEdges(visit);
+        if (midsOf(columns_) * midsOf(rows_) == 0) return;
+        visit(2, 2, centre, centrePrediction());
+        walkCrosses(visit);
+        for (const unsigned y : {1, 3})
+            for (const unsigned x : {1, 3})
+                if (isPlace(columns_, x) && isPlace(rows_, y))
+                    visit(x, y, diagonal, diagonalPrediction(x, y));
+    }
+
+  private:
+    template <class Of>
+    static LatticePoint perAxis(const Of& of) {
+        return {of(0), of(1), of(2)};
+    }
+    [[nodiscard]] LatticePoint between(const LatticePoint& p, const LatticePoint& q) const {
+        return perAxis([&](size_t k) { return half(p[k], q[k]); });
+    }
+    [[nodiscard]] LatticePoint middle(const LatticePoint& p, const LatticePoint& q, unsigned steps) const {
+        return perAxis([&](size_t k) { return mid(p[k], q[k], steps); });
+    }
+
+    template <class Visit>
+    void walkEdges(const Visit& visit) {
+        if (midsOf(columns_) != 0)
+            for (const unsigned y : {0, 4}) {
+                visit(2, y, edgeMid, middle(at(0, y), at(4, y), columns_));
+                if (isPlace(columns_, 1)) visit(1, y, edgeQuarter, between(at(0, y), at(2, y)));
+                if (isPlace(columns_, 3)) visit(3, y, edgeQuarter, between(at(2, y), at(4, y)));
+            }
+        if (midsOf(rows_) != 0)
+            for (const unsigned x : {0, 4}) {
+                visit(x, 2, edgeMid, middle(at(x, 0), at(x, 4), rows_));
+                if (isPlace(rows_, 1)) visit(x, 1, edgeQuarter, between(at(x, 0), at(x, 2)));
+                if (isPlace(rows_, 3)) visit(x, 3, edgeQuarter, between(at(x, 2), at(x, 4)));
+            }
+    }
+    template <class Visit>
+    void walkCrosses(const Visit& visit) {
+        if (isPlace(rows_, 1)) visit(2, 1, cross, between(at(2, 0), at(2, 2)));
+        if (isPlace(columns_, 1)) visit(1, 2, cross, between(at(0, 2), at(2, 2)));
+        if (isPlace(columns_, 3)) visit(3, 2, cross, between(at(2, 2), at(4, 2)));
+        if (isPlace(rows_, 3)) visit(2, 3, cross, between(at(2, 2), at(2, 4)));
+    }
+    [[nodiscard]] LatticePoint centrePrediction() const {
+        return perAxis([&](size_t k) {
+            const int32_t top = mid(at(0, 0)[k], at(4, 0)[k], columns_);
+            const int32_t bottom = mid(at(0, 4)[k], at(4, 4)[k], columns_);
+            return mid(at(0, 2)[k], at(4, 2)[k], columns_) + mid(at(2, 0)[k], at(2, 4)[k], rows_) -
+                   mid(top, bottom, rows_);
+        });
+    }
+    [[nodiscard]] LatticePoint diagonalPrediction(unsigned x, unsigned y) const {
+        return perAxis([&](size_t k) {
+            const int32_t beside = at(x - 1, y)[k] + at(x + 1, y)[k] + at(x, y - 1)[k] + at(x, y + 1)[k];
+            const int32_t around =
+                at(x - 1, y - 1)[k] + at(x + 1, y - 1)[k] + at(x - 1, y + 1)[k] + at(x + 1, y + 1)[k];
+            return (2 * beside - around + 2) >> 2;
+        });
+    }
+
+    LatticePoint* first_;
+    size_t stride_;
+    unsigned columns_;
+    unsigned rows_;
+};
+
+}  // namespace filigree::grid

@@ -1,0 +1,51 @@
+// What an encoder chooses for a tile: shear, widths, biases and drops.
+#pragma once
+
+#include "filigree/grid/tile.h"
+
+#include "grid/tile_order.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace filigree::grid {
+
+// A vertex of the bit string behind the tile's corners.
+struct TileResidual {
+    LatticePoint value{};  // each in [-2^23, 2^23)
+    uint8_t x = 0;         // for shearOf
+    uint8_t y = 0;
+    uint8_t group = 0;  // a ResidualClass, or coarseGroup
+    uint8_t block = noBlock;
+};
+inline constexpr unsigned coarseGroup = residualClasses;
+
+// In the order of the bit string.
+struct TileResiduals {
+    std::array<TileResidual, Tile::side * Tile::side> list;
+    size_t count = 0;
+
+    void add(const TileResidual& residual) { list[count++] = residual; }
+    [[nodiscard]] std::span<const TileResidual> all() const { return {list.data(), count}; }
+};
+
+// Vertices less their predictions. `head` holds the tile's size.
+TileResiduals residualsOf(const Tile& tile, const TileHeader& head);
+
+// A residual as its fields hold it: less what the shear gives.
+LatticePoint unsheared(const TileHeader& head, const TileResidual& residual);
+
+// Least width that holds [low, high] with a bias, 25 where none does.
+unsigned widthFor(int32_t low, int32_t high, unsigned bias);
+
+// Sets the widths and biases of `head` and the drops of `blocks`, given the shear. Returns the bits that the
+// residuals take.
+uint32_t chooseWidths(std::span<const TileResidual> residuals, TileHeader& head,
+                      std::array<uint8_t, tileBlocks * tileBlocks>& drops);
+
+// Sets the dominant axis and the shear.
+void chooseShear(std::span<const TileResidual> residuals, TileHeader& head);
+
+}  // namespace filigree::grid
