@@ -90,8 +90,27 @@ std::vector<std::string> classes(const Table& table) {
     return out;
 }
 
+// A record without its line end.
+std::string csvHeading(const Table& table) {
+    std::string out;
+    for (size_t c = 0; c < table.columns.size(); ++c) {
+        if (c > 0) out += ',';
+        out += csvText(withUnit(table.columns[c].key, table.columns[c].unit));
+    }
+    return out;
+}
+
+std::string csvRow(const std::vector<Cell>& row) {
+    std::string out;
+    for (size_t c = 0; c < row.size(); ++c) {
+        if (c > 0) out += ',';
+        out += csvOf(row[c]);
+    }
+    return out;
+}
+
 std::string headHtml(const Table& table, const std::vector<std::string>& classes) {
-    std::string out = "<thead><tr>";
+    std::string out = fmt::format("<thead><tr data-csv=\"{}\">", escapeHtml(csvHeading(table)));
     for (size_t c = 0; c < table.columns.size(); ++c) {
         const Column& column = table.columns[c];
         out += fmt::format("<th scope=\"col\"{}>{}</th>", classes[c],
@@ -103,7 +122,7 @@ std::string headHtml(const Table& table, const std::vector<std::string>& classes
 std::string bodyHtml(const Table& table, const std::vector<std::string>& classes) {
     std::string out = "<tbody>\n";
     for (const auto& row : table.rows) {
-        out += "<tr>";
+        out += fmt::format("<tr data-csv=\"{}\">", escapeHtml(csvRow(row)));
         for (size_t c = 0; c < row.size(); ++c) {
             out += fmt::format("<td{}>{}</td>", classes[c], escapeHtml(cellText(row[c], table.columns[c])));
         }
@@ -139,19 +158,10 @@ std::string toJson(const Table& table) {
 }
 
 std::string toCsv(const Table& table) {
-    std::string out;
-    for (size_t c = 0; c < table.columns.size(); ++c) {
-        if (c > 0) out += ',';
-        out += csvText(withUnit(table.columns[c].key, table.columns[c].unit));
-    }
-    out += "\r\n";
+    std::string out = csvHeading(table) + "\r\n";
     for (const auto& row : table.rows) {
         assert(row.size() == table.columns.size());
-        for (size_t c = 0; c < row.size(); ++c) {
-            if (c > 0) out += ',';
-            out += csvOf(row[c]);
-        }
-        out += "\r\n";
+        out += csvRow(row) + "\r\n";
     }
     return out;
 }
@@ -162,10 +172,9 @@ std::string toHtml(const Table& table) {
     const std::vector<std::string> columns = classes(table);
     return fmt::format(
         "<figure class=\"table\"><figcaption><span>{}</span>"
-        "<button type=\"button\" class=\"copy\" data-csv=\"{}\" hidden>Copy as CSV</button></figcaption>\n"
+        "<button type=\"button\" class=\"copy\" hidden>Copy as CSV</button></figcaption>\n"
         "<div class=\"scroll\"><table>\n{}{}</table></div>{}</figure>\n",
-        escapeHtml(table.caption), escapeHtml(toCsv(table)), headHtml(table, columns),
-        bodyHtml(table, columns), command);
+        escapeHtml(table.caption), headHtml(table, columns), bodyHtml(table, columns), command);
 }
 
 }  // namespace filigree::report

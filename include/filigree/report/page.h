@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/report/drawing.h"
+#include "filigree/report/map_view.h"
 #include "filigree/report/table.h"
 
 #include <cstdint>
@@ -16,8 +17,9 @@ struct Picture {
     std::vector<uint8_t> png;  // the file's bytes; empty shows a link to `file` alone
     uint32_t width = 0;        // pixels
     uint32_t height = 0;
-    std::string alt;   // what it shows, for readers that cannot see it
-    std::string file;  // the same picture beside the page, as a relative path; empty for none
+    std::string alt;         // what it shows, for readers that cannot see it
+    std::string file;        // the same picture beside the page, as a relative path; empty for none
+    bool pixelated = false;  // enlarged with hard edges
 };
 
 struct Figure {
@@ -53,7 +55,23 @@ struct Links {
     std::vector<Link> links;
 };
 
-using Block = std::variant<Paragraph, Table, Figure, FigureRow, Legend, Links>;
+// Many small pictures, in rows that open one by one.
+struct Gallery {
+    struct Tile {
+        Picture picture;
+        std::string caption;
+    };
+    struct Item {
+        std::string title;
+        std::string note;  // beside the title; empty for none
+        std::vector<Tile> tiles;
+    };
+    std::vector<Item> items;
+    size_t open = 1;      // of the first items, at the start
+    std::string command;  // that makes it again; empty for none
+};
+
+using Block = std::variant<Paragraph, Table, Figure, FigureRow, Legend, Links, MapView, Gallery>;
 
 struct Section {
     std::string title;

@@ -42,7 +42,7 @@ std::string toJson(const Table& table);
 // empty; texts are quoted where they must be.
 std::string toCsv(const Table& table);
 
-// A <figure> with the table, its caption and its CSV for the page's copy button.
+// A <figure> with the table and its caption; each row carries its CSV, for the page to sort and to copy by.
 std::string toHtml(const Table& table);
 
 // What HTML shows in one cell, unescaped.
