@@ -82,25 +82,24 @@ void considerVector(uint32_t k, const Wanted& wanted, const PaperCode& paper, Ne
     nearest.consider(wanted.octant << 21 | k << 11 | lengthCode(along, paper));
 }
 
-// The vectors of a ring around share `turn` of the quarter that it covers.
-void considerRing(int ring, double turn, const Wanted& wanted, const PaperCode& paper, NearestCode& nearest) {
-    if (ring < 0 || ring > static_cast<int>(paperRings)) return;
+// The two vectors of a ring around share `turn` of the quarter that it covers.
+void considerRing(size_t ring, double turn, const Wanted& wanted, const PaperCode& paper,
+                  NearestCode& nearest) {
     const UnitVectorRings& rings = unitVectorRings();
-    const auto at = static_cast<size_t>(ring);
-    const int steps = static_cast<int>(rings.steps[at]);
-    const int middle = static_cast<int>(turn * steps);
-    for (const int k : {middle, middle + 1, middle - 1, middle + 2}) {
-        if (k >= 0 && k <= steps)
-            considerVector(rings.first[at] + static_cast<uint32_t>(k), wanted, paper, nearest);
-    }
+    const unsigned steps = rings.steps[ring];
+    const auto k = static_cast<unsigned>(turn * steps);
+    considerVector(rings.first[ring] + k, wanted, paper, nearest);
+    if (k < steps) considerVector(rings.first[ring] + k + 1, wanted, paper, nearest);
 }
 
+// The four vectors around the direction: the next ones are further away than any length is wrong.
 void searchUnitVectors(const Wanted& wanted, const PaperCode& paper, NearestCode& nearest) {
     const auto [x, y, z] = wanted.size;
     const double flat = std::sqrt(x * x + z * z);
     const double turn = flat > 0 ? quarterShare(x, z) : 0;
-    const int ring = static_cast<int>(quarterShare(y, flat) * paperRings);
-    for (const int k : {ring, ring + 1, ring - 1, ring + 2}) considerRing(k, turn, wanted, paper, nearest);
+    const auto ring = static_cast<size_t>(quarterShare(y, flat) * paperRings);
+    considerRing(ring, turn, wanted, paper, nearest);
+    if (ring < paperRings) considerRing(ring + 1, turn, wanted, paper, nearest);
 }
 
 // The code with that exponent field and the nearest mantissas.
