@@ -67,27 +67,43 @@ Result<SquareReader> SquareReader::open(SquareFormat format, std::span<const uin
 
 Region SquareReader::at(size_t map, unsigned x, unsigned y) const {
     assert(map < mapCount());
-    const size_t bytes = blockBytesOf(format_);
-    const std::span<const uint8_t> block = bytes_.subspan(map * bytes, bytes);
+    const std::span<const uint8_t> bytes = block(map);
     switch (format_) {
         case SquareFormat::vq2:
-            return vq2Region(Vq2View(block), x, y);
+            return vq2Region(Vq2View(bytes), x, y);
         case SquareFormat::vq2Plus:
-            return vq2PlusRegion(Vq2View(block), x, y);
+            return vq2PlusRegion(Vq2View(bytes), x, y);
         case SquareFormat::vq4:
-            return vq4Region(Vq4View(block), Vq4Layout::vq4, x, y);
+            return vq4Region(Vq4View(bytes), Vq4Layout::vq4, x, y);
         case SquareFormat::vq4Plus:
-            return vq4Region(Vq4View(block), Vq4Layout::vq4Plus, x, y);
+            return vq4Region(Vq4View(bytes), Vq4Layout::vq4Plus, x, y);
         case SquareFormat::raw16:
         case SquareFormat::raw32:
             break;
     }
-    return rawRegion(block, sideOf(format_), x, y);
+    return rawRegion(bytes, sideOf(format_), x, y);
 }
 
 Region SquareReader::at(size_t map, Half half, float u, float v) const {
     const SquarePoint point = pointInSquare(half, u, v);
     return at(map, regionAlong(point.x, sideOf(format_)), regionAlong(point.y, sideOf(format_)));
+}
+
+unsigned SquareReader::bitsRead(size_t map, unsigned x, unsigned y) const {
+    switch (format_) {
+        case SquareFormat::vq2:
+            return vq2BitsRead(Vq2View(block(map)), x, y);
+        case SquareFormat::vq2Plus:
+            return vq2PlusBitsRead(Vq2View(block(map)), x, y);
+        case SquareFormat::vq4:
+            return vq4BitsRead(Vq4View(block(map)), Vq4Layout::vq4, x, y);
+        case SquareFormat::vq4Plus:
+            return vq4BitsRead(Vq4View(block(map)), Vq4Layout::vq4Plus, x, y);
+        case SquareFormat::raw16:
+        case SquareFormat::raw32:
+            break;
+    }
+    return 2;
 }
 
 Square SquareReader::decode(size_t map) const {

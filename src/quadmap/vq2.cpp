@@ -43,12 +43,26 @@ struct Looked {
     }
 };
 
+constexpr unsigned vq2IndexBits = 3;
+constexpr unsigned vq2TransformBits = 3;
+constexpr unsigned vq2WordBits = 5;
+
+// The index, and of a word its transform, which the first quadrant has none of, and the word.
+unsigned bitsOf(const Looked& looked) {
+    if (looked.index < 3) return vq2IndexBits;
+    return vq2IndexBits + (looked.quadrant > 0 ? vq2TransformBits : 0) + vq2WordBits;
+}
+
 Vq2PlusReading readingOf(Word2 ownFirst, Word2 ownSecond, Word2 sharedSecond, Word2 sharedThird) {
     Vq2PlusReading reading;
     reading.rereads = ownFirst > ownSecond;
     reading.index = ((ownFirst ^ ownSecond) & 1) != 0 ? 2 : 0;
     reading.rotation = sharedSecond > sharedThird ? 6 : 1;
     return reading;
+}
+
+Vq2PlusReading readingOf(const Looked& looked) {
+    return readingOf(looked.own(0), looked.own(1), looked.shared(1), looked.shared(2));
 }
 
 }  // namespace
@@ -97,9 +111,22 @@ Vq2PlusReading vq2PlusReading(const Vq2& map, unsigned quadrant) {
     return readingOf(first, second, map.shared[1], map.shared[2]);
 }
 
+unsigned vq2BitsRead(Vq2View block, unsigned x, unsigned y) {
+    return bitsOf(Looked(block, x, y));
+}
+
+unsigned vq2PlusBitsRead(Vq2View block, unsigned x, unsigned y) {
+    const Looked looked(block, x, y);
+    if (looked.index != 0 && looked.index != 2) return bitsOf(looked);
+    const auto reading = readingOf(looked);
+    const unsigned bits = vq2IndexBits + 2 * vq2WordBits;
+    if (!reading.rereads || looked.index != reading.index) return bits;
+    return bits + 3 * vq2WordBits + (looked.quadrant > 0 ? vq2TransformBits : 0);
+}
+
 Region vq2PlusRegion(Vq2View block, unsigned x, unsigned y) {
     const Looked looked(block, x, y);
-    const auto reading = readingOf(looked.own(0), looked.own(1), looked.shared(1), looked.shared(2));
+    const auto reading = readingOf(looked);
     if (!reading.rereads || looked.index != reading.index) return looked.region();
     return regionIn(looked.shared(0), storedCell(reading.rotation, 2, looked.cell));
 }

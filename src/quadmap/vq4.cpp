@@ -50,6 +50,9 @@ constexpr std::array<Word4Kind, word4Count> kindsOf(unsigned simple, unsigned ge
     put(simpleFirst ? Word4Kind::generic : Word4Kind::simple, simpleFirst ? generic : simple);
     return kinds;
 }
+constexpr unsigned vq4IndexBits = 4;
+constexpr unsigned vq4TransformBits = 3;
+
 constexpr auto vq4Kinds = kindsOf(3, 8, true);
 constexpr auto vq4PlusKinds = kindsOf(8, 3, false);
 
@@ -69,6 +72,10 @@ constexpr PalettePlaces placesOf(const std::array<Word4Kind, word4Count>& kinds,
     return places;
 }
 constexpr std::array<PalettePlaces, 2> palettePlaces{placesOf(vq4Kinds, 9), placesOf(vq4PlusKinds, 24)};
+
+unsigned indexAt(Vq4View block, unsigned x, unsigned y) {
+    return loadLe<uint32_t>(block.data() + y / 4 * 4) >> (x / 4 * 4) & 15;
+}
 
 }  // namespace
 
@@ -116,9 +123,16 @@ Vq4 unpackVq4(Vq4View block, Vq4Layout layout) {
     return map;
 }
 
+unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
+    if (indexAt(block, x, y) < 3) return vq4IndexBits;
+    const bool isStored = layout != Vq4Layout::vq4 || groupOf(layout, x / 4, y / 4) > 0;
+    // The word's mask, and of its palettes that of the region's part.
+    return vq4IndexBits + (isStored ? vq4TransformBits : 0) + 16 + 1;
+}
+
 Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
     assert(x < vq4Side && y < vq4Side);
-    const unsigned index = loadLe<uint32_t>(block.data() + y / 4 * 4) >> (x / 4 * 4) & 15;
+    const unsigned index = indexAt(block, x, y);
     if (index < 3) return static_cast<Region>(index);
     const uint64_t tail = loadLe<uint64_t>(block.data() + vq4Bytes - 8) >> 16;
     const unsigned group = groupOf(layout, x / 4, y / 4);

@@ -195,6 +195,32 @@ struct Hits {
     }
 };
 
+TEST(SquareReader, CountsTheBitsThatItReads) {
+    Vq2 small;
+    small.indices[0] = 1;
+    small.indices[1] = small.indices[4] = 3;
+    small.indices[5] = 2;
+    small.own[1] = {2, 1};  // read anew
+    small.shared = {0, 1, 2};
+    const Vq2Block vq2 = pack(small);
+    EXPECT_EQ(vq2BitsRead(vq2, 0, 0), 3u);
+    EXPECT_EQ(vq2BitsRead(vq2, 2, 0), 3u + 5);
+    EXPECT_EQ(vq2BitsRead(vq2, 8, 0), 3u + 3 + 5);
+    EXPECT_EQ(vq2PlusBitsRead(vq2, 0, 0), 3u);
+    EXPECT_EQ(vq2PlusBitsRead(vq2, 8, 0), 3u + 3 + 5);
+    EXPECT_EQ(vq2PlusBitsRead(vq2, 4, 0), 3u + 10);
+    EXPECT_EQ(vq2PlusBitsRead(vq2, 10, 0), 3u + 10 + 15 + 3);
+    Vq4 large;
+    large.indices[0] = large.indices[4] = 5;
+    for (const Vq4Layout layout : {Vq4Layout::vq4, Vq4Layout::vq4Plus}) {
+        const Vq4Block vq4 = pack(large, layout);
+        const unsigned first = layout == Vq4Layout::vq4 ? 0 : 3;
+        EXPECT_EQ(vq4BitsRead(vq4, layout, 4, 0), 4u);
+        EXPECT_EQ(vq4BitsRead(vq4, layout, 0, 0), 4 + first + 16 + 1);
+        EXPECT_EQ(vq4BitsRead(vq4, layout, 16, 0), 4u + 3 + 16 + 1);
+    }
+}
+
 TEST(SquareReader, BatchesAreTheSameOnEachTarget) {
     std::mt19937 random(3);
     for (unsigned f = 0; f < squareFormatCount; ++f) {

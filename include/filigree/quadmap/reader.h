@@ -30,10 +30,17 @@ class SquareReader {
     [[nodiscard]] SquareFormat format() const { return format_; }
     [[nodiscard]] size_t mapCount() const { return bytes_.size() / blockBytesOf(format_); }
 
+    // The bytes of a map.
+    [[nodiscard]] std::span<const uint8_t> block(size_t map) const {
+        return bytes_.subspan(map * blockBytesOf(format_), blockBytesOf(format_));
+    }
+
     // The region in column x and row y of a map.
     [[nodiscard]] Region at(size_t map, unsigned x, unsigned y) const;
     // The region at weights u and v of vertices 1 and 2 of one of the pair's triangles.
     [[nodiscard]] Region at(size_t map, Half half, float u, float v) const;
+    // The bits that finding this region reads (docs/spec/bits-read.md).
+    [[nodiscard]] unsigned bitsRead(size_t map, unsigned x, unsigned y) const;
     // A whole map.
     [[nodiscard]] Square decode(size_t map) const;
 

@@ -37,6 +37,9 @@ Vq2 unpackVq2(Vq2View block);
 // The region in column x and row y, both 0..15, read as VQ2 or as VQ2+.
 Region vq2Region(Vq2View block, unsigned x, unsigned y);
 Region vq2PlusRegion(Vq2View block, unsigned x, unsigned y);
+// The bits that this reads (docs/spec/bits-read.md).
+unsigned vq2BitsRead(Vq2View block, unsigned x, unsigned y);
+unsigned vq2PlusBitsRead(Vq2View block, unsigned x, unsigned y);
 
 // In VQ2+ the order of words is a message: what a quadrant makes of it.
 struct Vq2PlusReading {

@@ -63,5 +63,7 @@ Vq4 unpackVq4(Vq4View block, Vq4Layout layout);
 
 // The region in column x and row y, both 0..31.
 Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
+// The bits that this reads (docs/spec/bits-read.md).
+unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
 
 }  // namespace filigree::quadmap
