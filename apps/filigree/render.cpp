@@ -18,7 +18,8 @@ namespace {
 
 void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--method", options.method,
-                    "none, texture, bitmask, gruen, micromap (the default), tree, indexed-tree, dag or sdag")
+                    "none, texture, bitmask, gruen, micromap (the default), tree, indexed-tree, dag, sdag, "
+                    "vq2, vq4, vq2+ or vq4+")
         ->type_name("NAME");
     const auto setStates = [&options](const std::string& text) {
         options.states = parsedNumber<unsigned>(text, "--states", text);

@@ -10,11 +10,10 @@
 #include "jobs/level_sweep.h"
 #include "jobs/median.h"
 #include "jobs/opacity_input.h"
+#include "jobs/trace_contestants.h"
 
 #include <algorithm>
 #include <ctime>
-#include <map>
-#include <memory>
 
 #include <fmt/format.h>
 
@@ -71,14 +70,6 @@ double cpuSeconds() {
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-
-// A method at one level, ready to be asked.
-struct Contestant {
-    Method method = Method::texture;
-    unsigned states = 4;
-    unsigned level = 0;
-    std::unique_ptr<OpacityInput> input;  // the opacity looks into it
-};
 
 // Rounds of all contestants over the same rays.
 struct Race {
@@ -159,47 +150,10 @@ class SceneBench {
     }
 
     Status makeContestants() {
-        if (const Status made = makeWithoutLevels(); !made) return made;
-        for (const unsigned level : options_.levels) {
-            for (const unsigned states : options_.states) {
-                if (const Status made = makeAt(level, states); !made) return made;
-            }
-        }
-        return {};
-    }
-
-    Status makeWithoutLevels() {
-        for (const Method method : plan_.methods) {
-            if (hasLevels(method)) continue;
-            // The groups of textures are the same at every level, and cheapest at the lowest.
-            auto maps = bakeAt(scene_, input_, options_.parameters, 0, 4, executor_, progress_);
-            if (!maps) return maps.error();
-            for (const unsigned states : hasStates(method) ? options_.states : std::vector<unsigned>{4}) {
-                if (const Status made = make(method, states, 0, *maps); !made) return made;
-            }
-        }
-        return {};
-    }
-
-    Status makeAt(unsigned level, unsigned states) {
-        std::map<unsigned, SceneMaps> baked;  // by states
-        for (const Method method : plan_.methods) {
-            if (!hasLevels(method)) continue;
-            const unsigned wanted = method == Method::gruen ? 4 : states;
-            if (!baked.contains(wanted)) {
-                auto maps = bakeAt(scene_, input_, options_.parameters, level, wanted, executor_, progress_);
-                if (!maps) return maps.error();
-                baked.emplace(wanted, std::move(*maps));
-            }
-            if (const Status made = make(method, states, level, baked.at(wanted)); !made) return made;
-        }
-        return {};
-    }
-
-    Status make(Method method, unsigned states, unsigned level, const SceneMaps& maps) {
-        auto input = makeOpacity(method, states, scene_, maps, *world_, executor_);
-        if (!input) return input.error();
-        contestants_.push_back({method, states, level, std::make_unique<OpacityInput>(std::move(*input))});
+        auto made =
+            jobs::makeContestants(options_, plan_.methods, scene_, *world_, input_, executor_, progress_);
+        if (!made) return made.error();
+        contestants_ = std::move(*made);
         return {};
     }
 

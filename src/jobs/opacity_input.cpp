@@ -3,7 +3,6 @@
 #include "jobs/encode_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <unordered_map>
 #include <vector>
@@ -39,6 +38,24 @@ std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::
     return surfaces;
 }
 
+// What each surface of the world finds in the squares.
+std::vector<trace::SurfaceSquares> surfaceSquares(const SceneSquares& squares, const trace::World& world) {
+    std::unordered_map<const scene::Primitive*, trace::SurfaceSquares> found;
+    size_t first = 0;
+    for (const scene::Primitive* primitive : squares.primitives) {
+        const size_t count = primitive->triangleCount();
+        found.emplace(primitive, trace::SurfaceSquares{std::span(squares.indices).subspan(first, count),
+                                                       std::span(squares.places).subspan(first, count)});
+        first += count;
+    }
+    std::vector<trace::SurfaceSquares> surfaces(world.surfaceCount());
+    for (size_t k = 0; k < surfaces.size(); ++k) {
+        const auto at = found.find(&world.primitive(k));
+        if (at != found.end()) surfaces[k] = at->second;
+    }
+    return surfaces;
+}
+
 Result<encoding::EncodedSet> encodeFor(Method method, unsigned states, const scene::Scene& scene,
                                        const SceneMaps& maps, const Executor& executor) {
     const auto encoding = trace::encodingOf(method);
@@ -51,19 +68,20 @@ Result<encoding::EncodedSet> encodeFor(Method method, unsigned states, const sce
 
 Result<Method> findMethod(const std::string& name, std::string_view option) {
     if (const auto found = trace::methodNamed(name)) return *found;
-    constexpr std::array<std::string_view, 4> planned{"vq2", "vq4", "vq2+", "vq4+"};
-    if (std::ranges::find(planned, name) != planned.end()) {
-        return Error{ErrorKind::usage,
-                     fmt::format("{} {} is not in this version; it has {}", option, name, methodNames())};
-    }
     return Error{ErrorKind::usage, fmt::format("{} {}: choose one of {}", option, name, methodNames())};
 }
 
-bool hasStates(Method method) {
+bool readsMaps(Method method) {
     return trace::encodingOf(method).has_value();
 }
+bool readsSquares(Method method) {
+    return trace::squareFormatOf(method).has_value();
+}
+bool hasStates(Method method) {
+    return readsMaps(method) || readsSquares(method);
+}
 bool hasLevels(Method method) {
-    return hasStates(method) && method != Method::bitmask;
+    return readsMaps(method) && method != Method::bitmask;
 }
 
 Result<OpacityInput> makeOpacity(Method method, unsigned states, const scene::Scene& scene,
@@ -74,6 +92,23 @@ Result<OpacityInput> makeOpacity(Method method, unsigned states, const scene::Sc
     input.set = std::move(*set);
     auto opacity = trace::Opacity::make(method, states, world, viewOf(input.set),
                                         surfaceMaps(maps, world, method == Method::bitmask));
+    if (!opacity) return opacity.error();
+    input.opacity.emplace(std::move(*opacity));
+    return input;
+}
+
+Result<OpacityInput> makeSquareOpacity(Method method, unsigned states, const scene::Scene& scene,
+                                       const BakeParameters& parameters, const trace::World& world,
+                                       const Executor& executor, ProgressSink& progress) {
+    assert(readsSquares(method));
+    auto squares = encodeSquares(scene, pairGroups(scene, parameters), *trace::squareFormatOf(method),
+                                 executor, progress);
+    if (!squares) return squares.error();
+    OpacityInput input;
+    input.squares = std::move(*squares);
+    const auto reader = quadmap::SquareReader::open(input.squares.format, input.squares.blocks);
+    if (!reader) return reader.error();
+    auto opacity = trace::Opacity::make(method, states, world, *reader, surfaceSquares(input.squares, world));
     if (!opacity) return opacity.error();
     input.opacity.emplace(std::move(*opacity));
     return input;

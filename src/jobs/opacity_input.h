@@ -2,13 +2,16 @@
 #pragma once
 
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
+#include "filigree/jobs/bake.h"
 #include "filigree/scene/scene.h"
 #include "filigree/trace/opacity.h"
 #include "filigree/trace/world.h"
 
 #include "jobs/scene_maps.h"
+#include "jobs/scene_squares.h"
 
 #include <cstdint>
 #include <optional>
@@ -17,16 +20,20 @@
 
 namespace filigree::jobs {
 
-// The method of that name. ErrorKind::usage, naming `option`, for one that is not known or planned only.
+// The method of that name. ErrorKind::usage, naming `option`, for one that is not known.
 Result<trace::Method> findMethod(const std::string& name, std::string_view option);
 
-// What a method takes: a bitmask has no level, the texture neither level nor states.
+// What a method takes: bitmasks and squares have no level, the texture neither level nor states.
 bool hasLevels(trace::Method method);
 bool hasStates(trace::Method method);
+// Whether it reads what makeOpacity or what makeSquareOpacity makes; the texture takes either.
+bool readsMaps(trace::Method method);
+bool readsSquares(trace::Method method);
 
 // A method with the data that it looks into.
 struct OpacityInput {
     encoding::EncodedSet set;  // empty for methods that read none
+    SceneSquares squares;      // likewise
     std::optional<trace::Opacity> opacity;
 };
 
@@ -34,5 +41,11 @@ struct OpacityInput {
 // `states` 2 keeps the sides of the maps' states only.
 Result<OpacityInput> makeOpacity(trace::Method method, unsigned states, const scene::Scene& scene,
                                  const SceneMaps& maps, const trace::World& world, const Executor& executor);
+
+// Makes squares of the scene behind `world` for a method that reads them. Of the parameters count the alpha
+// tests' and which materials.
+Result<OpacityInput> makeSquareOpacity(trace::Method method, unsigned states, const scene::Scene& scene,
+                                       const BakeParameters& parameters, const trace::World& world,
+                                       const Executor& executor, ProgressSink& progress);
 
 }  // namespace filigree::jobs

@@ -111,28 +111,35 @@ class Rendering {
     }
 
     Result<OpacityInput> prepareOpacity() {
-        if (hasStates(method_)) {
+        noteIgnored();
+        states_ = options_.states;
+        if (readsSquares(method_))
+            return makeSquareOpacity(method_, states_, scene_, parameters(), *world_, executor_, progress_);
+        if (readsMaps(method_)) {
             auto maps = mapsOf();
             if (!maps) return maps.error().within(options_.input.string());
             maps_ = std::move(*maps);
         }
-        noteIgnored();
         return makeOpacity(method_, states_, scene_, maps_, *world_, executor_);
     }
 
+    // How to make what the method reads.
+    [[nodiscard]] BakeParameters parameters() const {
+        BakeParameters bake;
+        bake.states = options_.states;
+        bake.level = method_ == Method::bitmask ? 0 : options_.level;
+        if (!options_.levelGiven) bake.maxLevel = 6;  // so that the picture begins soon
+        bake.includeBlend = true;
+        return bake;
+    }
+
     Result<SceneMaps> mapsOf() {
-        states_ = options_.states;
         if (!scene_.micromaps.empty()) {
             SceneMaps maps = carriedMaps(scene_);
             if (fits(maps)) return maps;
             note("the file's micromaps have 2 states; --states 4 bakes others");
         }
-        BakeParameters parameters;
-        parameters.states = options_.states;
-        parameters.level = method_ == Method::bitmask ? 0 : options_.level;
-        if (!options_.levelGiven) parameters.maxLevel = 6;  // so that the picture begins soon
-        parameters.includeBlend = true;
-        auto maps = bakeMaps(scene_, parameters, executor_, progress_);
+        auto maps = bakeMaps(scene_, parameters(), executor_, progress_);
         if (maps) addNotes(maps->notes);
         return maps;
     }

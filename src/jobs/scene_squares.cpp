@@ -79,6 +79,7 @@ class Gatherer {
              const std::vector<EncodedPair>& encoded) {
         const size_t triangles = primitive.primitive->triangleCount();
         Part& part = parts_.emplace_back();
+        part.source = primitive.primitive;
         part.primitive = {primitive.primitive->meshIndex, primitive.primitive->primitiveIndex,
                           static_cast<uint32_t>(triangles), static_cast<uint32_t>(group)};
         part.indices.resize(triangles);
@@ -97,6 +98,7 @@ class Gatherer {
         });
         for (const Part& part : parts_) {
             squares_.meta.primitives.push_back(part.primitive);
+            squares_.primitives.push_back(part.source);
             squares_.indices.insert(squares_.indices.end(), part.indices.begin(), part.indices.end());
             squares_.places.insert(squares_.places.end(), part.places.begin(), part.places.end());
         }
@@ -105,9 +107,10 @@ class Gatherer {
 
   private:
     struct Part {
+        const scene::Primitive* source = nullptr;
         io::FilPrimitive primitive;
         std::vector<int32_t> indices;
-        std::vector<io::SquarePlace> places;
+        std::vector<quadmap::SquarePlace> places;
     };
 
     void place(const mesh::PairedTriangle& triangle, Half half, const EncodedPair& encoded, Part& part) {
@@ -117,7 +120,7 @@ class Gatherer {
             return;
         }
         part.indices[triangle.triangle] = blockNumber(encoded.block);
-        part.places[triangle.triangle] = {half, io::orderOf(triangle.order)};
+        part.places[triangle.triangle] = {half, quadmap::orderOf(triangle.order)};
     }
 
     int32_t blockNumber(const std::vector<uint8_t>& block) {

@@ -21,9 +21,10 @@ namespace filigree::jobs {
 struct SceneSquares {
     quadmap::SquareFormat format = quadmap::SquareFormat::vq2;
     std::vector<uint8_t> blocks;
-    io::FilMeta meta;                     // groups and primitives; the asset is left to the caller
-    std::vector<int32_t> indices;         // [triangle_count], a block or special: -1 T, -2 O, -4 C
-    std::vector<io::SquarePlace> places;  // [triangle_count]
+    io::FilMeta meta;  // groups and primitives; the asset is left to the caller
+    std::vector<const scene::Primitive*> primitives;  // [meta.primitives], of the scene
+    std::vector<int32_t> indices;              // [triangle_count], a block or special: -1 T, -2 O, -4 C
+    std::vector<quadmap::SquarePlace> places;  // [triangle_count]
 
     [[nodiscard]] size_t maps() const { return blocks.size() / blockBytesOf(format); }
 };

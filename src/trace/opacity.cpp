@@ -6,6 +6,7 @@
 #include "filigree/encoding/sdag.h"
 #include "filigree/encoding/tree.h"
 
+#include "trace/accept.h"
 #include "trace/opacity_data.h"
 
 #include <array>
@@ -22,7 +23,8 @@ using encoding::Encoding;
 using micromap::State;
 
 constexpr std::array<std::string_view, methodCount> names{
-    "none", "texture", "bitmask", "gruen", "micromap", "tree", "indexed-tree", "dag", "sdag"};
+    "none", "texture", "bitmask", "gruen", "micromap", "tree", "indexed-tree",
+    "dag",  "sdag",    "vq2",     "vq4",   "vq2+",     "vq4+"};
 
 bool acceptAll(RayContext& context, const Candidate&) {
     ++context.counts->candidateHits;
@@ -45,7 +47,6 @@ struct WithReader : Opacity::Data {
 template <class Index>
 constexpr auto firstSpecial = static_cast<Index>(0 - 4);
 
-constexpr uint32_t noIndices = ~0u;
 constexpr unsigned manyLevels = ~0u;
 
 // What a candidate's triangle says of its map, as narrow as the number of maps allows: `indices` of all
@@ -77,19 +78,6 @@ struct ByMap final : WithReader<Reader> {
         return first.size() * sizeof(uint32_t) + indices.size() * sizeof(Index);
     }
 };
-
-// No state decided: aside with it, or the texture does.
-bool acceptUnknown(RayContext& context, const Candidate& candidate) {
-    ++context.counts->unknown;
-    if (context.deferred != nullptr && context.deferred->push(candidate)) return false;
-    return fetchAccepts(context, candidate);
-}
-
-bool acceptState(RayContext& context, const Opacity::Data& opacity, const Candidate& candidate, State state) {
-    if (micromap::isKnown(state) || opacity.states == 2 || context.twoState)
-        return micromap::isOpaqueSide(state);
-    return acceptUnknown(context, candidate);
-}
 
 template <class Reader, class Index>
 bool acceptByMap(RayContext& context, const Candidate& candidate) {
@@ -216,8 +204,13 @@ MadeData dataOf(Method method, const encoding::EncodedView& set, const std::vect
             return byMap<encoding::DagReader>(set, surfaces);
         case Method::sdag:
             return byMap<encoding::SdagReader>(set, surfaces);
+        case Method::vq2:
+        case Method::vq4:
+        case Method::vq2Plus:
+        case Method::vq4Plus:
+            break;
     }
-    return Error{ErrorKind::usage, "no such method"};
+    return Error{ErrorKind::usage, fmt::format("{} reads squares, not micromaps", nameOf(method))};
 }
 
 }  // namespace
@@ -234,9 +227,17 @@ std::optional<Method> methodNamed(std::string_view name) {
 }
 
 std::optional<Encoding> encodingOf(Method method) {
-    if (method == Method::none || method == Method::texture) return std::nullopt;
+    if (method == Method::none || method == Method::texture || squareFormatOf(method)) return std::nullopt;
     if (method == Method::micromap) return Encoding::flat;
     return encoding::encodingNamed(nameOf(method));
+}
+
+std::optional<quadmap::SquareFormat> squareFormatOf(Method method) {
+    for (unsigned k = 0; k < quadmap::squareFormatCount; ++k) {
+        const auto format = static_cast<quadmap::SquareFormat>(k);
+        if (nameOf(format) == nameOf(method)) return format;
+    }
+    return std::nullopt;
 }
 
 Result<Opacity> Opacity::make(Method method, unsigned states, const World& world,

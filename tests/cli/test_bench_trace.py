@@ -8,6 +8,7 @@ from program import CliTest
 
 KEYS = ["scene", "rays", "method", "states", "level", "mrays_per_second", "ratio_to_texture", "fetches_per_ray",
         "tests_per_ray", "opacity_bytes"]
+WITHOUT_LEVELS = ["bitmask", "vq2", "vq4", "vq2+", "vq4+"]
 WITH_LEVELS = ["gruen", "micromap", "tree", "indexed-tree", "dag", "sdag"]
 
 
@@ -24,7 +25,8 @@ class BenchTrace(CliTest):
     def test_rows_of_every_method(self):
         rows = self.rows("leaf.glb", "--levels", "2,5")
         wanted = [(rays, method, None, None) for rays in ("primary", "shadow", "ao") for method in ("none", "texture")]
-        wanted += [(rays, "bitmask", states, None) for rays in ("primary", "shadow", "ao") for states in (2, 4)]
+        wanted += [(rays, method, states, None) for rays in ("primary", "shadow", "ao")
+                   for method in WITHOUT_LEVELS for states in (2, 4)]
         wanted += [(rays, method, states, level) for rays in ("primary", "shadow", "ao") for method in WITH_LEVELS
                    for states in (2, 4) for level in (2, 5)]
         kinds = {row["rays"] for row in rows}

@@ -9,7 +9,7 @@ from program import CliTest
 
 KEYS = ["method", "states", "level", "integrator", "width", "height", "spp", "seconds", "rays", "mrays_per_second",
         "candidate_hits", "lookups", "unknown", "texture_fetches", "bits_read", "bytes", "image_sha256"]
-LOSSLESS = ("bitmask", "gruen", "micromap", "tree", "indexed-tree", "dag", "sdag")
+LOSSLESS = ("bitmask", "gruen", "micromap", "tree", "indexed-tree", "dag", "sdag", "vq2", "vq4", "vq2+", "vq4+")
 SMALL = ("--size", "48x32", "--spp", "2")
 
 
@@ -60,6 +60,9 @@ class Render(CliTest):
     def test_two_states_fetch_nothing(self):
         result, _ = self.render("--states", "2")
         self.assertEqual((result["states"], result["texture_fetches"]), (2, 0))
+        for method in ("vq2", "vq4+"):
+            result, _ = self.render("--states", "2", "--method", method)
+            self.assertEqual((result["states"], result["texture_fetches"]), (2, 0))
 
     def test_none_takes_every_hit(self):
         result, _ = self.render("--method", "none")
@@ -103,11 +106,13 @@ class Render(CliTest):
         _, process = self.render("--method", "texture", "--level", "3", "--states", "2")
         self.assertIn("--level is ignored", process.stderr)
         self.assertIn("--states is ignored", process.stderr)
-        _, process = self.render("--method", "bitmask", "--level", "3")
-        self.assertIn("--level is ignored", process.stderr)
+        for method in ("bitmask", "vq2"):
+            result, process = self.render("--method", method, "--level", "3")
+            self.assertIn("--level is ignored", process.stderr)
+            self.assertEqual((result["level"], result["states"]), (None, 4))
 
     def test_wrong_usage(self):
-        for says, args in (("not in this version", ("--method", "vq2+")), ("choose one of", ("--method", "magic")),
+        for says, args in (("choose one of", ("--method", "magic")),
                            ("choose one of", ("--integrator", "magic")), ("0 x 10", ("--size", "0x10")),
                            ("--size", ("--size", "10")), ("--size", ("--size", "axb")), ("--spp 0", ("--spp", "0")),
                            ("--states 3", ("--states", "3")), ("--level 13", ("--level", "13")),

@@ -35,8 +35,8 @@ quadmap::Region lookup(const SceneSquares& squares, const quadmap::SquareReader&
     if (index == -1) return quadmap::Region::transparent;
     if (index == -2) return quadmap::Region::opaque;
     if (index < 0) return quadmap::Region::mixed;
-    const io::SquarePlace place = squares.places[triangle];
-    const auto vertices = io::verticesOf(place);
+    const quadmap::SquarePlace place = squares.places[triangle];
+    const auto vertices = quadmap::verticesOf(place);
     return reader.at(static_cast<size_t>(index), place.half, static_cast<float>(weights[vertices[1]]),
                      static_cast<float>(weights[vertices[2]]));
 }

@@ -108,5 +108,37 @@ TEST(Rays, CostWhatTheyCostInTheirPicture) {
     }
 }
 
+// A single triangle leaves the other half of its square free, which encoders may fill with anything. The
+// corners where regions of both halves meet belong to the triangle all the same.
+TEST(Rays, HitSquaresOnTheSharedEdgeAsTheTextureDoes) {
+    scene::Scene scene = tests::thicket();
+    for (const bool second : {false, true}) {
+        scene::Primitive half;
+        half.material = 0;
+        half.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        half.uvs = {{0.1F, 0.2F}, {0.9F, 0.3F}, {0.2F, 0.8F}};
+        half.indices = second ? std::vector<uint32_t>{2, 1, 0} : std::vector<uint32_t>{0, 1, 2};
+        scene.meshes = {{"half", {half}}};
+        scene.instances = {{0, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}};
+        const auto world = trace::World::build(scene, {});
+        std::vector<trace::Ray> rays;
+        for (unsigned k = 0; k <= 64; ++k) {
+            const float x = static_cast<float>(k) / 64;
+            for (const float y : {1 - x, (1 - x) / 2, 0.0F})
+                rays.push_back({{x, y, 1}, {0, 0, -1}, 2, 0, {}});
+        }
+        const auto texture = trace::Opacity::make(trace::Method::texture, 4, *world, {}, {});
+        trace::Counters counters;
+        const auto expected = castRays(*world, *texture, rays, false, counters);
+        EXPECT_GT(expected.hits, 20u);
+        EXPECT_LT(expected.hits, counters.total().candidateHits);
+        for (const auto method : tests::methodsWithStates) {
+            const auto input = tests::inputFor(scene, *world, method, 4, 4);
+            EXPECT_EQ(castRays(*world, *input->opacity, rays, true, counters).hash, expected.hash)
+                << nameOf(method);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace filigree

@@ -106,10 +106,24 @@ inline jobs::SceneMaps mapsFor(scene::Scene& scene, trace::Method method, unsign
     return std::move(*maps);
 }
 
+// A method with four states or two, and micromaps of `level` where it has levels.
+inline Result<jobs::OpacityInput> inputFor(scene::Scene& scene, const trace::World& world,
+                                           trace::Method method, unsigned states, unsigned level) {
+    if (jobs::readsMaps(method)) {
+        return jobs::makeOpacity(method, states, scene, mapsFor(scene, method, states, level), world,
+                                 serialExecutor());
+    }
+    jobs::BakeParameters parameters;
+    parameters.includeBlend = true;
+    return jobs::makeSquareOpacity(method, states, scene, parameters, world, serialExecutor(),
+                                   silentProgress());
+}
+
 inline constexpr std::array integrators{trace::Integrator::primary, trace::Integrator::shadow,
                                         trace::Integrator::ao, trace::Integrator::path};
-inline constexpr std::array methodsWithMaps{
-    trace::Method::bitmask,     trace::Method::gruen, trace::Method::micromap, trace::Method::tree,
-    trace::Method::indexedTree, trace::Method::dag,   trace::Method::sdag};
+inline constexpr std::array methodsWithStates{
+    trace::Method::bitmask,     trace::Method::gruen,   trace::Method::micromap, trace::Method::tree,
+    trace::Method::indexedTree, trace::Method::dag,     trace::Method::sdag,     trace::Method::vq2,
+    trace::Method::vq4,         trace::Method::vq2Plus, trace::Method::vq4Plus};
 
 }  // namespace filigree::tests

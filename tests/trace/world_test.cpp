@@ -91,5 +91,25 @@ TEST(Opacity, RefusesIndicesThatDoNotFit) {
     EXPECT_FALSE(trace::Opacity::make(trace::Method::sdag, 4, *world, viewOf(input->set), {}).ok());
 }
 
+TEST(Opacity, RefusesSquaresThatDoNotFit) {
+    const scene::Scene scene = tests::thicket();
+    const auto world = trace::World::build(scene, {});
+    const std::vector<uint8_t> blocks(2 * blockBytesOf(quadmap::SquareFormat::vq2));
+    const auto reader = quadmap::SquareReader::open(quadmap::SquareFormat::vq2, blocks);
+    struct Case {
+        std::vector<int32_t> indices;
+        std::vector<quadmap::SquarePlace> places;
+    };
+    for (const Case& wrong : {Case{{-1}, {{}}}, Case{{-1, 2}, {{}, {}}}, Case{{-5, 0}, {{}, {}}},
+                              Case{{0, 1}, {{}}}, Case{{0, 1}, {{}, {quadmap::Half::first, 6}}}}) {
+        const auto made =
+            trace::Opacity::make(trace::Method::vq2, 4, *world, *reader, {{wrong.indices, wrong.places}});
+        ASSERT_FALSE(made.ok());
+        EXPECT_THAT(made.error().message, testing::HasSubstr("surface 0"));
+    }
+    EXPECT_FALSE(trace::Opacity::make(trace::Method::vq4, 4, *world, *reader, {}).ok());
+    EXPECT_TRUE(trace::Opacity::make(trace::Method::vq2, 4, *world, *reader, {}).ok());
+}
+
 }  // namespace
 }  // namespace filigree

@@ -3,6 +3,8 @@
 
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
+#include "filigree/quadmap/place.h"
+#include "filigree/quadmap/reader.h"
 #include "filigree/trace/world.h"
 
 #include <cstdint>
@@ -26,15 +28,21 @@ enum class Method : uint8_t {
     indexedTree,
     dag,
     sdag,
+    vq2,
+    vq4,
+    vq2Plus,
+    vq4Plus,
 };
-inline constexpr size_t methodCount = 9;
+inline constexpr size_t methodCount = 13;
 
 // The names of the command line.
 std::string_view nameOf(Method method);
 std::optional<Method> methodNamed(std::string_view name);
 
-// The encoding that a method reads; none for `none` and `texture`.
+// The encoding of micromaps, or of bitmasks, that a method reads, if it reads one.
 std::optional<encoding::Encoding> encodingOf(Method method);
+// The format of squares that a method reads, if it reads squares.
+std::optional<quadmap::SquareFormat> squareFormatOf(Method method);
 
 // What a method knows of a surface.
 struct SurfaceMaps {
@@ -42,6 +50,14 @@ struct SurfaceMaps {
     // With Method::bitmask its place is taken by `texture`.
     std::span<const int32_t> indices;
     std::optional<uint32_t> texture;  // of a bitmask set
+};
+
+// The squares of a surface's triangle pairs.
+struct SurfaceSquares {
+    // [triangle_count], a map of the reader or special: -1 transparent, -2 opaque, -3 and -4 mixed. Empty:
+    // every candidate is unknown.
+    std::span<const int32_t> indices;
+    std::span<const quadmap::SquarePlace> places;  // [triangle_count], where the index is none of the special
 };
 
 // A method with its data, which it looks into.
@@ -52,6 +68,12 @@ class Opacity {
     // `texture`. `set` is checked, and looked into from then on.
     static Result<Opacity> make(Method method, unsigned states, const World& world,
                                 const encoding::EncodedView& set, std::vector<SurfaceMaps> surfaces);
+
+    // The same for the methods that read squares. With two states mixed regions hit by chance, as
+    // quadmap::isHit has it: the same for each ray and place. The reader's bytes must outlive this.
+    static Result<Opacity> make(Method method, unsigned states, const World& world,
+                                const quadmap::SquareReader& squares,
+                                const std::vector<SurfaceSquares>& surfaces);
 
     Opacity(Opacity&&) noexcept;
     Opacity& operator=(Opacity&&) noexcept;
