@@ -69,7 +69,7 @@ void addBenchGrids(CLI::App& bench, Commands& commands) {
         ->type_name("NAMES");
     verb.add_option("--rounds", options->rounds, "Runs of each row, of which the median counts; default 5")
         ->type_name("N");
-    addSizeOption(verb, options->width, options->height, "1280x800");
+    addSizeOption(verb, options->width, options->height, "800x800");
     verb.add_option("--leak-rays", options->leakRays,
                     "Rays aimed at the vertices and edges of a closed torus and a box; default 10000000")
         ->type_name("N");

@@ -77,7 +77,7 @@ Box boundsOf(const grid::GridMesh& mesh) {
 }
 
 BenchGridsSpeed speedOf(const GridSpeed& speed) {
-    return {speed.mraysPerSecond, speed.ratio, speed.hits, speed.batched};
+    return {speed.mraysPerSecond, speed.ratio, speed.ratioToBatches, speed.hits, speed.batched};
 }
 
 // One scene with all methods.
@@ -224,6 +224,18 @@ Result<BenchGridsSummary> benchGrids(const BenchGridsOptions& options, const Exe
     return summary;
 }
 
+namespace {
+
+template <class Value>
+Json perKind(const BenchGridsRow& row, Value BenchGridsSpeed::*value) {
+    return {{"primary", row.primary.*value},
+            {"bounce", row.bounce.*value},
+            {"ao", row.ao.*value},
+            {"shuffled", row.shuffled.*value}};
+}
+
+}  // namespace
+
 std::string toJson(const BenchGridsSummary& summary) {
     Json rows = Json::array();
     for (const BenchGridsRow& r : summary.rows) {
@@ -240,7 +252,10 @@ std::string toJson(const BenchGridsSummary& summary) {
                         {"ratio_primary", r.primary.ratio},
                         {"ratio_bounce", r.bounce.ratio},
                         {"ratio_ao", r.ao.ratio},
-                        {"ratio_shuffled", r.shuffled.ratio}});
+                        {"ratio_shuffled", r.shuffled.ratio},
+                        {"ratio_to_streams", perKind(r, &BenchGridsSpeed::ratioToStreams)},
+                        {"batched", perKind(r, &BenchGridsSpeed::batched)},
+                        {"hits", perKind(r, &BenchGridsSpeed::hits)}});
     }
     BenchGridsLeaks lattice;
     Json leaks = Json::array();

@@ -8,8 +8,9 @@
 namespace filigree::jobs {
 namespace {
 
-constexpr std::array<std::string_view, 5> methodNames{"triangles", "triangles-compact", "triangles-qbvh8",
-                                                      "grids", "grids-compact"};
+constexpr std::string_view robustMethod = "triangles-robust";
+constexpr std::array<std::string_view, 6> methodNames{"triangles", "triangles-compact", "triangles-qbvh8",
+                                                      "grids",     "grids-compact",     robustMethod};
 
 // Rays asked for at once, few enough that what is found stays in the cache, as in a tile of a picture.
 constexpr size_t raysAtOnce = 1024;
@@ -23,10 +24,12 @@ void forChunks(size_t count, const Body& body) {
 
 class EmbreeMethod final : public GridMethod {
   public:
-    explicit EmbreeMethod(trace::EmbreeGrids grids) : grids_(std::move(grids)) {}
+    EmbreeMethod(trace::EmbreeGrids grids, bool streams) : grids_(std::move(grids)), streams_(streams) {}
 
     [[nodiscard]] uint64_t bytes() const override { return grids_.bytes(); }
     [[nodiscard]] double buildSeconds() const override { return grids_.buildSeconds(); }
+
+    [[nodiscard]] bool hasBatches() const override { return streams_; }
 
     void closest(std::span<const grid::Ray> rays, bool batched, std::span<float> distances) override {
         std::array<trace::EmbreeHit, raysAtOnce> hits;
@@ -43,6 +46,7 @@ class EmbreeMethod final : public GridMethod {
 
   private:
     trace::EmbreeGrids grids_;
+    bool streams_;
 };
 
 }  // namespace
@@ -57,10 +61,13 @@ bool isGridMethod(std::string_view name) {
 Result<std::unique_ptr<GridMethod>> makeGridMethod(std::string_view name, const grid::GridMesh& mesh,
                                                    const Executor& executor) {
     assert(isGridMethod(name));
-    const auto layout = trace::embreeLayoutNamed(name);
-    auto grids = trace::EmbreeGrids::build(mesh, *layout, {.threads = executor.concurrency()});
+    const bool robust = name == robustMethod;
+    const auto layout = robust ? trace::EmbreeLayout::triangles : trace::embreeLayoutNamed(name);
+    auto grids =
+        trace::EmbreeGrids::build(mesh, *layout, {.robust = robust, .threads = executor.concurrency()});
     if (!grids) return grids.error();
-    return std::unique_ptr<GridMethod>(std::make_unique<EmbreeMethod>(std::move(*grids)));
+    const bool streams = layout == trace::EmbreeLayout::triangles && !robust;
+    return std::unique_ptr<GridMethod>(std::make_unique<EmbreeMethod>(std::move(*grids), streams));
 }
 
 }  // namespace filigree::jobs

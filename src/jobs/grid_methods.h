@@ -26,6 +26,8 @@ class GridMethod {
     // Working memory of one thread beside it.
     [[nodiscard]] virtual uint64_t cacheBytes() const { return 0; }
 
+    // Whether there is a call for many rays that is worth timing.
+    [[nodiscard]] virtual bool hasBatches() const = 0;
     // Traces rays one by one, or as a batch where there is a call for that. Distances, infinite where nothing
     // is hit, and 1 or 0; as long as `rays`.
     virtual void closest(std::span<const grid::Ray> rays, bool batched, std::span<float> distances) = 0;

@@ -32,16 +32,14 @@ class KindRace {
           kind_(kind),
           distances_(kind == GridRayKind::ao ? 0 : rays.size()),
           answers_(kind == GridRayKind::ao ? rays.size() : 0),
-          speeds_(methods.size()),
+          hits_(methods.size()),
           seconds_(methods.size()) {}
 
-    // Fills the caches, and finds out how each method is asked best.
+    // Fills the caches, and counts what is hit.
     void warmUp() {
         for (size_t k = 0; k < methods_.size(); ++k) {
-            secondsOf(k, false);
-            const double single = secondsOf(k, false);
-            speeds_[k].hits = hits();
-            speeds_[k].batched = secondsOf(k, true) < single;
+            secondsOf(k, oneByOne);
+            hits_[k] = hits();
         }
     }
 
@@ -49,25 +47,34 @@ class KindRace {
     void run(unsigned round) {
         for (size_t k = 0; k < methods_.size(); ++k) {
             const size_t turn = (k + round) % methods_.size();
-            seconds_[turn].push_back(secondsOf(turn, speeds_[turn].batched));
+            seconds_[turn][oneByOne].push_back(secondsOf(turn, oneByOne));
+            if (methods_[turn]->hasBatches()) seconds_[turn][asBatch].push_back(secondsOf(turn, asBatch));
         }
     }
 
-    std::vector<GridSpeed> speeds() {
-        for (size_t k = 0; k < methods_.size(); ++k) {
-            speeds_[k].mraysPerSecond = static_cast<double>(rays_.size()) / median(seconds_[k]) / 1e6;
-            speeds_[k].ratio = medianRatio(seconds_.front(), seconds_[k]);
-        }
-        return speeds_;
+    [[nodiscard]] GridSpeed speedOf(size_t method) const {
+        const auto& seconds = seconds_[method];
+        GridSpeed speed;
+        speed.hits = hits_[method];
+        // The stock method's own batches are what `ratioToBatches` compares with.
+        speed.batched =
+            method > 0 && !seconds[asBatch].empty() && median(seconds[asBatch]) < median(seconds[oneByOne]);
+        const auto& taken = seconds[speed.batched ? asBatch : oneByOne];
+        speed.mraysPerSecond = static_cast<double>(rays_.size()) / median(taken) / 1e6;
+        speed.ratio = medianRatio(seconds_.front()[oneByOne], taken);
+        speed.ratioToBatches = medianRatio(seconds_.front()[asBatch], taken);
+        return speed;
     }
 
   private:
-    double secondsOf(size_t method, bool batched) {
+    enum Way : size_t { oneByOne, asBatch };
+
+    double secondsOf(size_t method, Way way) {
         const ThreadStopwatch watch;
         if (kind_ == GridRayKind::ao) {
-            methods_[method]->any(rays_, batched, answers_);
+            methods_[method]->any(rays_, way == asBatch, answers_);
         } else {
-            methods_[method]->closest(rays_, batched, distances_);
+            methods_[method]->closest(rays_, way == asBatch, distances_);
         }
         return watch.seconds();
     }
@@ -84,8 +91,8 @@ class KindRace {
     GridRayKind kind_;
     std::vector<float> distances_;
     std::vector<uint8_t> answers_;
-    std::vector<GridSpeed> speeds_;
-    std::vector<std::vector<double>> seconds_;  // [method][round]
+    std::vector<uint64_t> hits_;                               // [method]
+    std::vector<std::array<std::vector<double>, 2>> seconds_;  // [method][way][round]
 };
 
 }  // namespace
@@ -103,8 +110,7 @@ Result<std::vector<GridSpeeds>> raceGrids(std::span<GridMethod* const> methods,
             race.run(round);
             if (progress.cancelled()) return Error{ErrorKind::cancelled, "the bench was cancelled"};
         }
-        const auto found = race.speeds();
-        for (size_t k = 0; k < methods.size(); ++k) speeds[k][kind] = found[k];
+        for (size_t k = 0; k < methods.size(); ++k) speeds[k][kind] = race.speedOf(k);
     }
     return speeds;
 }

@@ -174,6 +174,7 @@ struct EmbreeGrids::Data {
     DeviceOwner device;
     SceneOwner scene;
     double buildSeconds = 0;
+    bool hasStreams = true;
 
     void attach(EmbreeBuffers& buffers);
     Status build(EmbreeLayout layout, const EmbreeOptions& options);
@@ -202,6 +203,7 @@ void EmbreeGrids::Data::attach(EmbreeBuffers& buffers) {
 
 Status EmbreeGrids::Data::build(EmbreeLayout layout, const EmbreeOptions& options) {
     std::string config = fmt::format("threads={}", options.threads);
+    hasStreams = layout != EmbreeLayout::trianglesQbvh8;
     if (layout == EmbreeLayout::trianglesQbvh8) config += ",tri_accel=qbvh8.triangle4i";
     device.reset(rtcNewDevice(config.c_str()));
     if (!device) return Error{ErrorKind::limit, "Embree cannot start on this machine"};
@@ -277,6 +279,7 @@ void EmbreeGrids::any(std::span<const Ray> rays, std::span<uint8_t> answers) con
 }
 
 void EmbreeGrids::closestStreamed(std::span<const Ray> rays, std::span<EmbreeHit> hits) const {
+    if (!data_->hasStreams) return closest(rays, hits);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     std::array<RTCRayHit, streamLength> queries;
@@ -290,6 +293,7 @@ void EmbreeGrids::closestStreamed(std::span<const Ray> rays, std::span<EmbreeHit
 }
 
 void EmbreeGrids::anyStreamed(std::span<const Ray> rays, std::span<uint8_t> answers) const {
+    if (!data_->hasStreams) return any(rays, answers);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     std::array<RTCRay, streamLength> queries;

@@ -12,8 +12,8 @@ namespace filigree::trace {
 namespace {
 
 // As is sensible for terrains and torus alike.
-constexpr float overviewElevation = 0.6F;  // radians
-constexpr float overviewAngle = 0.7F;
+constexpr float overviewElevation = 0.9F;  // radians
+constexpr float overviewAngle = 1.5F;      // from x towards z
 
 std::vector<grid::Ray> pixelRays(const scene::Camera& camera, const GridRayOptions& options) {
     const CameraRays through(camera, options.width, options.height);

@@ -18,20 +18,22 @@ struct BenchGridsOptions {
     std::vector<uint32_t> sizes{1025, 2049};  // of shapes, vertices a side, 65 to 8193
     // triangles, triangles-compact, triangles-qbvh8, grids, grids-compact, paper, lattice; empty: all.
     std::vector<std::string> methods;
-    unsigned rounds = 5;    // at least 1
-    uint32_t width = 1280;  // pixels of the picture whose rays are cast
+    unsigned rounds = 5;   // at least 1
+    uint32_t width = 800;  // pixels of the picture whose rays are cast
     uint32_t height = 800;
     uint64_t leakRays = 10'000'000;    // aimed at a closed torus and a box, in all; 0: none
     uint32_t leakSize = 513;           // vertices a side of the torus, and quads a side of the box
     uint64_t memory = 12'000'000'000;  // bytes that methods may take at once; those beyond race one by one
 };
 
-// Speeds are medians over rounds in which all methods take turns on one thread, in CPU time.
+// Speeds are medians over rounds in which all methods take turns on one thread, in CPU time. Embree is asked
+// ray by ray (rtcIntersect1, rtcOccluded1), the codecs by whichever of their calls is quicker.
 struct BenchGridsSpeed {
     double mraysPerSecond = 0;
-    double ratio = 0;  // to `triangles`: above 1 is faster
+    double ratio = 0;           // to `triangles`: above 1 is faster
+    double ratioToStreams = 0;  // to `triangles` by Embree's stream calls (rtcIntersect1M, rtcOccluded1M)
     uint64_t hits = 0;
-    bool batched = false;  // many rays a call, which was quicker than one
+    bool batched = false;  // by the call for many rays
 };
 
 struct BenchGridsRow {

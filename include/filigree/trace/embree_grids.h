@@ -53,7 +53,8 @@ class EmbreeGrids {
     [[nodiscard]] uint64_t bytes() const;
     [[nodiscard]] double buildSeconds() const;  // of the commit alone
 
-    // Ray by ray, and through Embree's stream calls. `hits` and `answers` (1 or 0) as long as `rays`.
+    // Ray by ray, and through Embree's stream calls, which quantised nodes lack: they go ray by ray. `hits`
+    // and `answers` (1 or 0) as long as `rays`.
     void closest(std::span<const grid::Ray> rays, std::span<EmbreeHit> hits) const;
     void any(std::span<const grid::Ray> rays, std::span<uint8_t> answers) const;
     void closestStreamed(std::span<const grid::Ray> rays, std::span<EmbreeHit> hits) const;

@@ -23,7 +23,7 @@ struct GridRaySets {
 };
 
 struct GridRayOptions {
-    uint32_t width = 1280;  // pixels
+    uint32_t width = 800;  // pixels
     uint32_t height = 800;
     float aoShare = 0.1F;    // length of AO rays, of the box's diagonal
     float offShare = 1e-4F;  // how far rays start off the surface, of the diagonal
