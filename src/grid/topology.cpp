@@ -1,35 +1,13 @@
 #include "grid/topology.h"
 
+#include "grid/buckets.h"
+#include "grid/weld.h"
+
 #include <algorithm>
 #include <span>
 
 namespace filigree::grid {
 namespace {
-
-// Numbers sorted into buckets: those of bucket b stand at [starts[b], starts[b + 1]), rising.
-struct Buckets {
-    std::vector<uint32_t> starts;
-    std::vector<uint32_t> items;
-
-    // keyOf(item) is a bucket below `buckets`, or noEdge for items left out.
-    template <class KeyOf>
-    Buckets(size_t buckets, size_t itemCount, const KeyOf& keyOf) : starts(buckets + 1) {
-        for (size_t item = 0; item < itemCount; ++item) {
-            const uint32_t key = keyOf(item);
-            if (key != noEdge) ++starts[key + 1];
-        }
-        for (size_t b = 0; b < buckets; ++b) starts[b + 1] += starts[b];
-        items.resize(starts[buckets]);
-        std::vector<uint32_t> next(starts.begin(), starts.end() - 1);
-        for (size_t item = 0; item < itemCount; ++item) {
-            const uint32_t key = keyOf(item);
-            if (key != noEdge) items[next[key]++] = static_cast<uint32_t>(item);
-        }
-    }
-    [[nodiscard]] std::span<uint32_t> bucket(size_t b) {
-        return std::span(items).subspan(starts[b], starts[b + 1] - starts[b]);
-    }
-};
 
 void addFace(const mesh::Face& face, const std::vector<uint32_t>& firsts, Topology& topology) {
     const auto vertex = [&](size_t k) { return firsts[face[k]]; };
@@ -80,7 +58,7 @@ void findTwins(size_t vertexCount, Topology& topology) {
     const auto to = [&](uint32_t edge) { return topology.from(nextEdge(edge)); };
     const auto least = [&](size_t e) {
         const auto edge = static_cast<uint32_t>(e);
-        return topology.hasThreeVertices(edge / 3) ? std::min(topology.from(edge), to(edge)) : noEdge;
+        return topology.hasThreeVertices(edge / 3) ? std::min(topology.from(edge), to(edge)) : noBucket;
     };
     const auto key = [&](uint32_t edge) {
         return std::pair(std::max(topology.from(edge), to(edge)), sheets[edge / 3]);
@@ -101,7 +79,9 @@ void findTwins(size_t vertexCount, Topology& topology) {
 }  // namespace
 
 Topology topologyOf(const mesh::FaceMesh& mesh, bool attributes) {
-    const std::vector<uint32_t> firsts = weld(mesh, attributes);
+    WeldInput vertices{mesh.positions, {}, {}};
+    if (attributes) vertices = {mesh.positions, mesh.normals, mesh.uvs};
+    const std::vector<uint32_t> firsts = weld(vertices);
     Topology topology;
     const uint64_t triangles = mesh.triangleCount();
     topology.triangles.reserve(triangles);

@@ -32,13 +32,10 @@ constexpr uint32_t previousEdge(uint32_t edge) {
     return edge % 3 == 0 ? edge + 2 : edge - 1;
 }
 
-// The first vertex that equals each one in position and, with `attributes`, in normal and texture
-// coordinates, to the bit but for the sign of 0: [vertex_count].
-std::vector<uint32_t> weld(const mesh::FaceMesh& mesh, bool attributes);
-
-// Twins are half-edges that are alone between their two vertices in either direction. Of triangles with the
-// same three vertices each belongs to a sheet of its own, within which twins are sought, so that surfaces
-// with a back of their own hold together.
+// With `attributes`, vertices that differ in normal or texture coordinates are two. Twins are half-edges that
+// are alone between their two vertices in either direction. Of triangles with the same three vertices each
+// belongs to a sheet of its own, within which twins are sought, so that surfaces with a back of their own
+// hold together.
 Topology topologyOf(const mesh::FaceMesh& mesh, bool attributes);
 
 }  // namespace filigree::grid

@@ -1,12 +1,13 @@
-#include "grid/topology.h"
+#include "grid/weld.h"
 
+#include <array>
 #include <bit>
 #include <cassert>
-#include <cstring>
 
 namespace filigree::grid {
 namespace {
 
+constexpr uint32_t noVertex = 0xffffffff;
 constexpr size_t wordsPerVertex = 8;
 using VertexWords = std::array<uint32_t, wordsPerVertex>;
 
@@ -15,15 +16,15 @@ uint32_t wordOf(float value) {
     return std::bit_cast<uint32_t>(value + 0.0F);
 }
 
-VertexWords wordsOfVertex(const mesh::FaceMesh& mesh, size_t v, bool attributes) {
+VertexWords wordsOfVertex(const WeldInput& input, size_t v) {
     VertexWords words{};
-    for (size_t k = 0; k < 3; ++k) words[k] = wordOf(mesh.positions[v][k]);
-    if (attributes && !mesh.normals.empty()) {
-        for (size_t k = 0; k < 3; ++k) words[3 + k] = wordOf(mesh.normals[v][k]);
+    for (size_t k = 0; k < 3; ++k) words[k] = wordOf(input.positions[v][k]);
+    if (!input.normals.empty()) {
+        for (size_t k = 0; k < 3; ++k) words[3 + k] = wordOf(input.normals[v][k]);
     }
-    if (attributes && !mesh.uvs.empty()) {
-        words[6] = wordOf(mesh.uvs[v].u);
-        words[7] = wordOf(mesh.uvs[v].v);
+    if (!input.uvs.empty()) {
+        words[6] = wordOf(input.uvs[v].u);
+        words[7] = wordOf(input.uvs[v].v);
     }
     return words;
 }
@@ -40,18 +41,17 @@ uint64_t hashOf(const VertexWords& words) {
 
 }  // namespace
 
-std::vector<uint32_t> weld(const mesh::FaceMesh& mesh, bool attributes) {
-    const size_t count = mesh.positions.size();
-    assert(count < mesh::noVertex);
+std::vector<uint32_t> weld(const WeldInput& input) {
+    const size_t count = input.positions.size();
+    assert(count < noVertex);
     const uint64_t mask = std::bit_ceil(2 * count + 1) - 1;
-    std::vector<uint32_t> slots(mask + 1, mesh::noVertex);
+    std::vector<uint32_t> slots(mask + 1, noVertex);
     std::vector<uint32_t> firsts(count);
     for (size_t v = 0; v < count; ++v) {
-        const VertexWords words = wordsOfVertex(mesh, v, attributes);
+        const VertexWords words = wordsOfVertex(input, v);
         uint64_t at = hashOf(words) & mask;
-        while (slots[at] != mesh::noVertex && wordsOfVertex(mesh, slots[at], attributes) != words)
-            at = (at + 1) & mask;
-        if (slots[at] == mesh::noVertex) slots[at] = static_cast<uint32_t>(v);
+        while (slots[at] != noVertex && wordsOfVertex(input, slots[at]) != words) at = (at + 1) & mask;
+        if (slots[at] == noVertex) slots[at] = static_cast<uint32_t>(v);
         firsts[v] = slots[at];
     }
     return firsts;

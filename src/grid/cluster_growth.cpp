@@ -1,0 +1,214 @@
+#include "grid/cluster_growth.h"
+
+#include "filigree/core/box.h"
+#include "filigree/grid/cluster.h"
+
+#include "grid/buckets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace filigree::grid {
+namespace {
+
+constexpr uint32_t noTriangle = 0xffffffff;
+constexpr size_t mostLookedAt = 256;  // entries of one list, so that no list is walked again and again
+
+// The triangles of the part over vertices of its own.
+struct PartMesh {
+    std::vector<Vec3> positions;
+    std::vector<std::array<uint32_t, 3>> triangles;
+
+    explicit PartMesh(const ClusterInput& input) {
+        std::vector<uint32_t> used;
+        for (const uint32_t t : input.part)
+            used.insert(used.end(), input.triangles[t].begin(), input.triangles[t].end());
+        std::ranges::sort(used);
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        for (const uint32_t v : used) positions.push_back(input.positions[v]);
+        const auto local = [&](uint32_t v) {
+            return static_cast<uint32_t>(std::ranges::lower_bound(used, v) - used.begin());
+        };
+        for (const uint32_t t : input.part) {
+            const auto& [a, b, c] = input.triangles[t];
+            triangles.push_back({local(a), local(b), local(c)});
+        }
+    }
+};
+
+class ClusterGrowth {
+  public:
+    ClusterGrowth(const PartMesh& part, float grain)
+        : part_(part),
+          finest_(1 / std::max(grain, std::numeric_limits<float>::min())),
+          corners_(part.positions.size(), 3 * part.triangles.size(),
+                   [&](size_t item) { return part.triangles[item / 3][item % 3]; }),
+          taken_(part.triangles.size()),
+          frontierMark_(part.triangles.size()),
+          vertexMark_(part.positions.size()) {}
+
+    std::vector<ClusterMembers> grow() {
+        std::vector<ClusterMembers> clusters;
+        for (uint32_t seed = nextSeed(); seed != noTriangle; seed = nextSeed()) {
+            growFrom(seed);
+            usualSize_ = usualSize_ == 0 ? size(box_) : 0.9F * usualSize_ + 0.1F * size(box_);
+            clusters.push_back(std::move(members_));
+        }
+        return clusters;
+    }
+
+  private:
+    void growFrom(uint32_t seed) {
+        ++epoch_;
+        members_.clear();
+        frontier_.clear();
+        vertices_ = 0;
+        box_ = {};
+        for (uint32_t next = seed; next != noTriangle; next = bestNext()) {
+            add(next);
+            if (members_.size() == maxClusterTriangles) return;
+        }
+    }
+
+    uint32_t bestNext() {
+        const uint32_t touching = leastBits();
+        return touching != noTriangle ? touching : nearbyTriangle(members_.back());
+    }
+
+    void add(uint32_t triangle) {
+        taken_[triangle] = true;
+        members_.push_back(triangle);
+        for (const uint32_t v : part_.triangles[triangle]) {
+            if (vertexMark_[v] == epoch_) continue;
+            vertexMark_[v] = epoch_;
+            ++vertices_;
+            box_.extend(part_.positions[v]);
+            extendFrontier(v);
+        }
+    }
+
+    void extendFrontier(uint32_t vertex) {
+        const auto here = corners_.bucket(vertex);
+        for (const uint32_t item : here.first(std::min(here.size(), mostLookedAt))) {
+            const uint32_t t = item / 3;
+            if (taken_[t] || frontierMark_[t] == epoch_) continue;
+            frontierMark_[t] = epoch_;
+            frontier_.push_back(t);
+        }
+    }
+
+    // The bits of all offsets if `triangle` came in.
+    [[nodiscard]] float bitsWith(uint32_t triangle) const {
+        Box box = box_;
+        uint32_t vertices = vertices_;
+        for (const uint32_t v : part_.triangles[triangle]) {
+            if (vertexMark_[v] == epoch_) continue;
+            box.extend(part_.positions[v]);
+            ++vertices;
+        }
+        return static_cast<float>(vertices) * widthOf(box);
+    }
+    [[nodiscard]] float widthOf(const Box& box) const {
+        const Vec3 across = times(minus(box.high, box.low), finest_);
+        return std::log2((across[0] + 1) * (across[1] + 1) * (across[2] + 1));
+    }
+
+    uint32_t leastBits() {
+        std::erase_if(frontier_, [&](uint32_t t) { return taken_[t]; });
+        uint32_t best = noTriangle;
+        float least = std::numeric_limits<float>::infinity();
+        for (const uint32_t t : frontier_) {
+            const float bits = bitsWith(t);
+            if (bits < least || (bits == least && t < best)) {
+                least = bits;
+                best = t;
+            }
+        }
+        return best;
+    }
+
+    // Of the triangles next in order to `from` the one that costs least, if it costs little enough.
+    uint32_t nearbyTriangle(uint32_t from) {
+        constexpr float recordBits = 320;
+        const float free = static_cast<float>(maxClusterTriangles - members_.size()) / maxClusterTriangles;
+        const float now = static_cast<float>(vertices_) * widthOf(box_);
+        const float newVertices = 3 * widthOf(box_);
+        uint32_t best = noTriangle;
+        float least = now + newVertices + recordBits * free;
+        const auto lookAt = [&](uint32_t t) {
+            if (taken_[t] || isTooFar(t)) return;
+            const float bits = bitsWith(t);
+            if (bits >= least) return;
+            least = bits;
+            best = t;
+        };
+        const auto count = static_cast<uint32_t>(taken_.size());
+        for (uint32_t t = from + 1; t < count && t <= from + mostLookedAt; ++t) lookAt(t);
+        for (uint32_t t = from; t-- > 0 && t + mostLookedAt >= from;) lookAt(t);
+        return best;
+    }
+
+    // Rays pay for large boxes.
+    [[nodiscard]] bool isTooFar(uint32_t triangle) const {
+        Box box = box_;
+        for (const uint32_t v : part_.triangles[triangle]) box.extend(part_.positions[v]);
+        return size(box) > 1.5F * std::max(usualSize_, size(box_));
+    }
+    static float size(const Box& box) { return box.diagonal(); }
+
+    // At the border of the cluster before, where the fewest free triangles are left around it; otherwise the
+    // first that is free.
+    uint32_t nextSeed() {
+        uint32_t best = noTriangle;
+        size_t least = std::numeric_limits<size_t>::max();
+        for (const uint32_t t : frontier_) {
+            if (taken_[t]) continue;
+            const size_t around = freeAround(t);
+            if (around < least || (around == least && t < best)) {
+                least = around;
+                best = t;
+            }
+        }
+        if (best != noTriangle) return best;
+        while (cursor_ < taken_.size() && taken_[cursor_]) ++cursor_;
+        return cursor_ < taken_.size() ? cursor_ : noTriangle;
+    }
+
+    [[nodiscard]] size_t freeAround(uint32_t triangle) {
+        size_t count = 0;
+        for (const uint32_t v : part_.triangles[triangle]) {
+            const auto here = corners_.bucket(v);
+            for (const uint32_t item : here.first(std::min(here.size(), mostLookedAt)))
+                count += taken_[item / 3] ? 0 : 1;
+        }
+        return count;
+    }
+
+    const PartMesh& part_;
+    float finest_;
+    Buckets corners_;  // of each vertex
+    std::vector<bool> taken_;
+    std::vector<uint32_t> frontierMark_;  // the last cluster that had it there
+    std::vector<uint32_t> vertexMark_;    // the last cluster that holds it
+    uint32_t epoch_ = 0;
+    uint32_t cursor_ = 0;
+    float usualSize_ = 0;
+    ClusterMembers members_;
+    std::vector<uint32_t> frontier_;
+    uint32_t vertices_ = 0;
+    Box box_;
+};
+
+}  // namespace
+
+std::vector<ClusterMembers> growClusters(const ClusterInput& input) {
+    const PartMesh part(input);
+    std::vector<ClusterMembers> clusters = ClusterGrowth(part, input.grain).grow();
+    for (ClusterMembers& members : clusters) {
+        for (uint32_t& t : members) t = input.part[t];
+    }
+    return clusters;
+}
+
+}  // namespace filigree::grid
