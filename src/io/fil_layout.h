@@ -21,6 +21,8 @@ inline constexpr uint8_t filNoLevel = 255;
 inline constexpr uint32_t filSpecials = 4;
 inline constexpr uint8_t filFirstSquares = 16;  // from here on encodings of squares: vq2, vq2+, vq4, vq4+
 inline constexpr uint8_t filSquareFormats = 4;
+inline constexpr uint8_t filFirstGrids = 32;  // grids: paper, lattice
+inline constexpr uint8_t filGridCodecs = 2;
 
 // The most bytes a section may have.
 inline constexpr uint64_t filMostMetaBytes = uint64_t{1} << 30;
@@ -28,14 +30,31 @@ inline constexpr uint64_t filMostDescriptorBytes = 64;  // for each map, and onc
 inline constexpr uint64_t filMostPayloadGrowth = 4;     // times the flat 4-state map, for each map,
 inline constexpr uint64_t filMostMapBytes = 256;        // and this,
 inline constexpr uint64_t filMostPayloadBase = uint64_t{1} << 20;  // and this once
+inline constexpr uint64_t filMostRecordBytes = 4096;               // of grids, for each record
 
-enum class FilKind : uint32_t { meta = 1, indices = 2, descriptors = 3, payload = 4, pairs = 5 };
+enum class FilKind : uint32_t {
+    meta = 1,
+    indices = 2,
+    descriptors = 3,
+    payload = 4,
+    pairs = 5,
+    grids = 6,
+    nodes = 7,
+    offsets = 8,
+    diagonals = 9,
+    sources = 10,
+    corners = 11,
+    normals = 12,
+    uvs = 13,
+};
+inline constexpr FilKind filLastKind = FilKind::uvs;
 inline constexpr uint32_t filOptionalKind = 0x80000000;  // kinds from here on may be passed over
 inline constexpr uint32_t filZstd = 1;                   // the one flag
 
 inline std::string filKindName(uint32_t kind) {
-    static constexpr std::array<std::string_view, 6> names{"",        "meta", "indices", "descriptors",
-                                                           "payload", "pairs"};
+    static constexpr std::array<std::string_view, 14> names{
+        "",      "meta",    "indices",   "descriptors", "payload", "pairs",   "grids",
+        "nodes", "offsets", "diagonals", "sources",     "corners", "normals", "uvs"};
     return kind > 0 && kind < names.size() ? std::string(names[kind]) : fmt::format("of kind {}", kind);
 }
 

@@ -78,6 +78,10 @@ Status FilFile::open(std::span<const uint8_t> bytes, const FilReadOptions& optio
     if (head->squares)
         return Error{ErrorKind::format, fmt::format("holds opacity squares ({}), expected micromaps",
                                                     quadmap::nameOf(*head->squares))};
+    if (const Status status = sections.allowOnly(
+            {FilKind::meta, FilKind::indices, FilKind::descriptors, FilKind::payload, FilKind::pairs});
+        !status)
+        return status;
     meta_ = std::move(head->meta);
     const uint64_t triangles = meta_.triangleCount();
     const uint64_t indexBytes = filIndexBytes(head->encoding, head->mapCount, triangles);

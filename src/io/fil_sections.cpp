@@ -22,6 +22,15 @@ const FilSection* FilSections::find(FilKind kind) const {
     return found == sections_.end() ? nullptr : &*found;
 }
 
+Status FilSections::allowOnly(std::initializer_list<FilKind> kinds) const {
+    for (const FilSection& section : sections_) {
+        if (std::ranges::find(kinds, static_cast<FilKind>(section.kind)) != kinds.end()) continue;
+        return Error{ErrorKind::format,
+                     fmt::format("section {}: does not belong here", filKindName(section.kind))};
+    }
+    return {};
+}
+
 Result<std::span<const uint8_t>> FilSections::take(FilKind kind, uint64_t least, uint64_t most) {
     const std::string name = "section " + filKindName(static_cast<uint32_t>(kind));
     const FilSection* const section = find(kind);

@@ -6,6 +6,7 @@
 #include "io/fil_table.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,6 +20,9 @@ class FilSections {
         : sections_(std::move(sections)), left_(maxBytes), plain_(plain) {}
 
     [[nodiscard]] bool has(FilKind kind) const { return find(kind) != nullptr; }
+
+    // Fails where there is a section of another kind than these.
+    [[nodiscard]] Status allowOnly(std::initializer_list<FilKind> kinds) const;
 
     // The section must have between `least` and `most` bytes when plain.
     Result<std::span<const uint8_t>> take(FilKind kind, uint64_t least, uint64_t most);

@@ -65,6 +65,10 @@ Status FilSquareFile::open(std::span<const uint8_t> bytes, const FilReadOptions&
     if (!head->squares) return Error{ErrorKind::format, "holds micromaps, expected opacity squares"};
     if (head->meta.level || head->format != micromap::Format::fourState)
         return Error{ErrorKind::format, "section meta: squares have 4 states and level 255"};
+    if (const Status status =
+            sections.allowOnly({FilKind::meta, FilKind::indices, FilKind::descriptors, FilKind::payload});
+        !status)
+        return status;
     meta_ = std::move(head->meta);
     const uint64_t triangles = meta_.triangleCount();
     const uint64_t indexBytes = filIndexBytes(head->encoding, head->mapCount, triangles);
@@ -77,8 +81,6 @@ Status FilSquareFile::open(std::span<const uint8_t> bytes, const FilReadOptions&
     const uint64_t blockBytes = uint64_t{head->mapCount} * blockBytesOf(*head->squares);
     const auto blocks = sections.take(FilKind::payload, blockBytes, blockBytes);
     if (!blocks) return blocks.error();
-    if (sections.has(FilKind::pairs))
-        return Error{ErrorKind::format, "section pairs: is for micromaps of one bit"};
     auto maps = quadmap::SquareReader::open(*head->squares, *blocks);
     if (!maps) return maps.error().within("section payload");
     maps_ = *maps;

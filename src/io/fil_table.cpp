@@ -81,7 +81,7 @@ Result<std::vector<FilSection>> readTable(std::span<const uint8_t> file) {
         if (!section) return section.error();
         if (section->kind >= filOptionalKind) continue;
         if (section->kind < static_cast<uint32_t>(FilKind::meta) ||
-            section->kind > static_cast<uint32_t>(FilKind::pairs))
+            section->kind > static_cast<uint32_t>(filLastKind))
             return broken("section {}: not known to this version", filKindName(section->kind));
         if (std::ranges::any_of(sections, [&](const auto& s) { return s.kind == section->kind; }))
             return broken("section {}: stands twice", filKindName(section->kind));

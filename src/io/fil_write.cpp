@@ -1,3 +1,5 @@
+#include "io/fil_write.h"
+
 #include "filigree/core/bytes.h"
 #include "filigree/core/file.h"
 #include "filigree/io/fil.h"
@@ -15,14 +17,7 @@
 namespace filigree::io {
 namespace {
 
-struct Section {
-    FilKind kind;
-    std::span<const uint8_t> plain;
-    std::vector<uint8_t> frame;  // where it is compressed
-    [[nodiscard]] std::span<const uint8_t> stored() const { return frame.empty() ? plain : frame; }
-};
-
-void compress(Section& section) {
+void compress(FilSectionOut& section) {
     std::vector<uint8_t> frame = zstdCompress(section.plain);
     if (frame.size() < section.plain.size()) section.frame = std::move(frame);
 }
@@ -52,12 +47,12 @@ std::vector<uint8_t> packPlaces(std::span<const quadmap::SquarePlace> places) {
 }
 
 // Header, table and their hash.
-std::vector<uint8_t> tableOf(const std::vector<Section>& sections) {
+std::vector<uint8_t> tableOf(const std::vector<FilSectionOut>& sections) {
     const size_t hashed = filHeaderBytes + sections.size() * filEntryBytes;
     std::vector<uint8_t> bytes(hashed + filHashBytes);
     uint64_t end = bytes.size();
     uint8_t* entry = bytes.data() + filHeaderBytes;
-    for (const Section& section : sections) {
+    for (const FilSectionOut& section : sections) {
         const auto stored = section.stored();
         const uint64_t offset = filAligned(end);
         storeLe(entry, static_cast<uint32_t>(section.kind));
@@ -77,16 +72,18 @@ std::vector<uint8_t> tableOf(const std::vector<Section>& sections) {
     return bytes;
 }
 
-// Writes the file of the sections and gives its size.
-Result<uint64_t> writeSections(const std::filesystem::path& path, std::vector<Section> sections, bool zstd) {
-    for (Section& section : sections) {
+}  // namespace
+
+Result<uint64_t> writeSections(const std::filesystem::path& path, std::vector<FilSectionOut> sections,
+                               bool zstd) {
+    for (FilSectionOut& section : sections) {
         if (zstd) compress(section);
     }
     const std::vector<uint8_t> table = tableOf(sections);
     static constexpr std::array<uint8_t, filAlignment> zeros{};
     std::vector<std::span<const uint8_t>> pieces{table};
     uint64_t end = table.size();
-    for (const Section& section : sections) {
+    for (const FilSectionOut& section : sections) {
         pieces.push_back(std::span(zeros).first(filAligned(end) - end));
         pieces.push_back(section.stored());
         end = filAligned(end) + section.stored().size();
@@ -94,8 +91,6 @@ Result<uint64_t> writeSections(const std::filesystem::path& path, std::vector<Se
     if (const Status status = writeFile(path, pieces); !status) return status.error();
     return end;
 }
-
-}  // namespace
 
 unsigned filIndexBits(encoding::Encoding encoding, uint32_t mapCount) {
     if (encoding == encoding::Encoding::bitmask) return 0;
@@ -113,7 +108,7 @@ Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& 
     const encoding::EncodedView& set = contents.set;
     const std::vector<uint8_t> meta = encodeMeta({contents.meta, set.encoding, set.format, set.mapCount, {}});
     const auto indices = packIndices(contents.indices, filIndexBits(set.encoding, set.mapCount));
-    std::vector<Section> sections;
+    std::vector<FilSectionOut> sections;
     sections.push_back({FilKind::meta, meta, {}});
     sections.push_back({FilKind::indices, indices, {}});
     sections.push_back({FilKind::descriptors, set.descriptors, {}});
@@ -131,7 +126,7 @@ Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSqu
     const std::vector<uint8_t> meta = encodeMeta(head);
     const auto indices = packIndices(squares.indices, filIndexBits(head.encoding, mapCount));
     const auto places = packPlaces(squares.places);
-    std::vector<Section> sections;
+    std::vector<FilSectionOut> sections;
     sections.push_back({FilKind::meta, meta, {}});
     sections.push_back({FilKind::indices, indices, {}});
     sections.push_back({FilKind::descriptors, places, {}});
