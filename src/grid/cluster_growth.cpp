@@ -37,6 +37,22 @@ struct PartMesh {
     }
 };
 
+// The diagonal around as many triangles as a cluster takes, as they follow each other: the median.
+float usualSize(const PartMesh& part) {
+    std::vector<float> sizes;
+    for (size_t first = 0; first < part.triangles.size(); first += maxClusterTriangles) {
+        Box box;
+        const auto here = std::span(part.triangles).subspan(first);
+        for (const auto& triangle : here.first(std::min(here.size(), maxClusterTriangles))) {
+            for (const uint32_t v : triangle) box.extend(part.positions[v]);
+        }
+        sizes.push_back(box.diagonal());
+    }
+    const auto middle = sizes.begin() + static_cast<ptrdiff_t>(sizes.size() / 2);
+    std::ranges::nth_element(sizes, middle);
+    return *middle;
+}
+
 class ClusterGrowth {
   public:
     ClusterGrowth(const PartMesh& part, float grain)
@@ -46,13 +62,13 @@ class ClusterGrowth {
                    [&](size_t item) { return part.triangles[item / 3][item % 3]; }),
           taken_(part.triangles.size()),
           frontierMark_(part.triangles.size()),
-          vertexMark_(part.positions.size()) {}
+          vertexMark_(part.positions.size()),
+          usualSize_(usualSize(part)) {}
 
     std::vector<ClusterMembers> grow() {
         std::vector<ClusterMembers> clusters;
         for (uint32_t seed = nextSeed(); seed != noTriangle; seed = nextSeed()) {
             growFrom(seed);
-            usualSize_ = usualSize_ == 0 ? size(box_) : 0.9F * usualSize_ + 0.1F * size(box_);
             clusters.push_back(std::move(members_));
         }
         return clusters;
@@ -153,9 +169,8 @@ class ClusterGrowth {
     [[nodiscard]] bool isTooFar(uint32_t triangle) const {
         Box box = box_;
         for (const uint32_t v : part_.triangles[triangle]) box.extend(part_.positions[v]);
-        return size(box) > 1.5F * std::max(usualSize_, size(box_));
+        return box.diagonal() > 1.5F * std::max(usualSize_, box_.diagonal());
     }
-    static float size(const Box& box) { return box.diagonal(); }
 
     // At the border of the cluster before, where the fewest free triangles are left around it; otherwise the
     // first that is free.
@@ -193,7 +208,7 @@ class ClusterGrowth {
     std::vector<uint32_t> vertexMark_;    // the last cluster that holds it
     uint32_t epoch_ = 0;
     uint32_t cursor_ = 0;
-    float usualSize_ = 0;
+    float usualSize_;
     ClusterMembers members_;
     std::vector<uint32_t> frontier_;
     uint32_t vertices_ = 0;
