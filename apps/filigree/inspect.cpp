@@ -8,8 +8,7 @@
 namespace filigree::app {
 
 void addInspect(CLI::App& app, Commands& commands) {
-    Command command(app, "inspect",
-                    "Draw a scene's micromaps over their textures, with histograms, as one page",
+    Command command(app, "inspect", "Explore a scene's micromaps over their textures, in one page",
                     "filigree inspect forest-omm.glb -o forest-pictures");
     const auto options = std::make_shared<jobs::InspectOptions>();
     auto& verb = command.options();
@@ -19,6 +18,8 @@ void addInspect(CLI::App& app, Commands& commands) {
     verb.add_option("-o,--output", options->outputFolder, "A folder for index.html and the pictures")
         ->required()
         ->type_name("DIR");
+    verb.add_flag("--full", options->full,
+                  "Put everything into the page, however large it gets; default under 10 MB");
     addBakeOptions(verb, options->parameters);
     command.onRun([command, options] {
         auto progress = command.progress();

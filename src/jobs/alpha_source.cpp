@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <set>
+#include <map>
 #include <tuple>
 
 namespace filigree::jobs {
@@ -69,11 +69,16 @@ std::string nameOf(const scene::Scene& scene, const AlphaSource& source) {
 
 std::vector<TrianglePlace> distinctTriangles(std::span<const scene::Primitive* const> primitives) {
     std::vector<TrianglePlace> places;
-    std::set<std::array<uint32_t, 11>> seen;
+    std::map<std::array<uint32_t, 11>, size_t> seen;
     for (const auto* primitive : primitives) {
         for (size_t t = 0; t < primitive->triangleCount(); ++t) {
             const TrianglePlace place{primitive, t};
-            if (seen.insert(kindOf(place)).second) places.push_back(place);
+            const auto [found, isNew] = seen.try_emplace(kindOf(place), places.size());
+            if (isNew) {
+                places.push_back(place);
+            } else {
+                ++places[found->second].equals;
+            }
         }
     }
     return places;

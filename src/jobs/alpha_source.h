@@ -58,6 +58,7 @@ void addToGroup(std::vector<AlphaGroupOf<Primitive>>& groups, const AlphaSource&
 struct TrianglePlace {
     const scene::Primitive* primitive = nullptr;
     size_t triangle = 0;
+    uint64_t equals = 1;  // triangles of its kind, where distinctTriangles gave it
 
     [[nodiscard]] mesh::UvTriangle uvTriangle() const { return primitive->uvTriangle(triangle); }
     [[nodiscard]] int32_t micromapIndex() const { return primitive->micromapIndices[triangle]; }

@@ -89,7 +89,7 @@ uint64_t microTriangles(const Places& places, const micromap::FlatSet& set) {
 void addFindings(const Places& places, const std::vector<verify::Finding>& findings,
                  ValidateSummary& summary) {
     for (const auto& finding : findings) {
-        const auto& [primitive, triangle] = places[finding.triangle];
+        const auto& [primitive, triangle, equals] = places[finding.triangle];
         summary.breaches.push_back(
             {fmt::format("/meshes/{}/primitives/{}", primitive->meshIndex, primitive->primitiveIndex),
              "a known state is true throughout", describe(finding, triangle)});

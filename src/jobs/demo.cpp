@@ -101,7 +101,7 @@ Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::
     if (!scene) return scene.error();
     auto inspection = inspectScene(
         *scene, folder, command({"filigree", "inspect", summary.baked.string(), "-o", folder.string()}),
-        executor, progress);
+        ViewBudget{}, executor, progress);
     if (!inspection) return inspection.error();
     summary.inspection = std::move(inspection->summary);
     summary.inspection.page = summary.page;

@@ -40,6 +40,7 @@ std::string commandOf(const InspectOptions& options, bool baked) {
         const auto more = wordsOf(options.parameters);
         words.insert(words.end(), more.begin(), more.end());
     }
+    if (options.full) words.emplace_back("--full");
     return shellCommand(words);
 }
 
@@ -95,8 +96,8 @@ Result<InspectSummary> inspect(const InspectOptions& options, const Executor& ex
         notes.insert(notes.end(), summary->notes.begin(), summary->notes.end());
     }
     if (const auto made = makeFolder(options.outputFolder); !made) return made.error();
-    auto inspection =
-        inspectScene(*scene, options.outputFolder, commandOf(options, baked), executor, progress);
+    auto inspection = inspectScene(*scene, options.outputFolder, commandOf(options, baked),
+                                   options.full ? noViewBudget : ViewBudget{}, executor, progress);
     if (!inspection) return inspection.error().within(options.input.string());
     InspectSummary& summary = inspection->summary;
     summary.bakedInMemory = baked;
@@ -126,7 +127,8 @@ std::string toJson(const InspectSummary& s) {
                                     {"states", byState(t.states)},
                                     {"area_share", byState(t.areaShares())},
                                     {"levels", byNumber(t.levels)},
-                                    {"sharing", byNumber(t.sharing)}});
+                                    {"sharing", byNumber(t.sharing)},
+                                    {"overlap_share", byNumber(t.overlaps)}});
     }
     json["notes"] = s.notes;
     return dump(json);

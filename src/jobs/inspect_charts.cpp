@@ -6,13 +6,14 @@
 #include <bit>
 #include <map>
 #include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 
 namespace filigree::jobs {
 namespace {
 
-using Counts = std::map<unsigned, uint64_t>;  // micromaps by bin
+using Counts = std::map<unsigned, double>;  // by bin
 
 constexpr size_t mostSeries = 6;       // beside each other in a group of bars
 constexpr size_t mostCategories = 12;  // textures side by side
@@ -30,8 +31,7 @@ std::vector<report::BarChart::Series> seriesOf(const std::vector<InspectedTextur
         for (auto& s : series) s.values.push_back(0);
         for (size_t i = 0; i < counts.size(); ++i) {
             const auto found = counts[i].find(bin);
-            if (found != counts[i].end())
-                series[summed ? 0 : i].values.back() += static_cast<double>(found->second);
+            if (found != counts[i].end()) series[summed ? 0 : i].values.back() += found->second;
         }
     }
     return series;
@@ -64,12 +64,12 @@ bool needsLog(const report::BarChart& chart) {
     return hi > 50 * lo && lo > 0;
 }
 
-// Bin b of sharing holds 2^(b-1) + 1 to 2^b triangles.
-unsigned sharingBin(uint64_t triangles) {
+// Bin b holds 2^(b-1) + 1 to 2^b triangles.
+unsigned powerBin(uint64_t triangles) {
     return static_cast<unsigned>(std::bit_width(triangles - 1));
 }
 
-std::string sharingBinName(unsigned bin) {
+std::string powerBinName(unsigned bin) {
     const uint64_t last = uint64_t{1} << bin;
     if (bin < 2) return std::to_string(last);
     return fmt::format("{}-{}", last / 2 + 1, last);
@@ -90,7 +90,7 @@ std::string levelsText(const InspectedTexture& t) {
 
 report::BarChart levelChart(const std::vector<InspectedTexture>& textures) {
     std::vector<Counts> counts;
-    for (const auto& t : textures) counts.push_back(t.levels);
+    for (const auto& t : textures) counts.emplace_back(t.levels.begin(), t.levels.end());
     report::BarChart chart;
     chart.title = "Micromaps by subdivision level";
     chart.x = {"level"};
@@ -106,14 +106,32 @@ report::BarChart sharingChart(const std::vector<InspectedTexture>& textures) {
     std::vector<Counts> counts(textures.size());
     for (size_t i = 0; i < textures.size(); ++i) {
         for (const auto& [triangles, micromaps] : textures[i].sharing)
-            counts[i][sharingBin(triangles)] += micromaps;
+            counts[i][powerBin(triangles)] += static_cast<double>(micromaps);
     }
     report::BarChart chart;
     chart.title = "Micromaps by the number of triangles that share them";
     chart.x = {"triangles"};
     chart.y = {"micromaps"};
     const auto bins = binsOf(counts);
-    for (const unsigned bin : bins) chart.categories.push_back(sharingBinName(bin));
+    for (const unsigned bin : bins) chart.categories.push_back(powerBinName(bin));
+    chart.series = seriesOf(textures, counts, bins);
+    chart.y.log = needsLog(chart);
+    return chart;
+}
+
+report::BarChart overlapChart(const std::vector<InspectedTexture>& textures) {
+    std::vector<Counts> counts(textures.size());
+    for (size_t i = 0; i < textures.size(); ++i) {
+        const double texels = static_cast<double>(textures[i].width) * textures[i].height;
+        for (const auto& [triangles, share] : textures[i].overlaps)
+            counts[i][triangles == 0 ? 0 : 1 + powerBin(triangles)] += share * texels;
+    }
+    report::BarChart chart;
+    chart.title = "Texels by the number of distinct triangles over them";
+    chart.x = {"distinct triangles"};
+    chart.y = {"texels"};
+    const auto bins = binsOf(counts);
+    for (const unsigned bin : bins) chart.categories.push_back(bin == 0 ? "none" : powerBinName(bin - 1));
     chart.series = seriesOf(textures, counts, bins);
     chart.y.log = needsLog(chart);
     return chart;
@@ -154,7 +172,8 @@ report::Table textureTable(const std::vector<InspectedTexture>& textures) {
                      {"levels", "Levels", "", Show::plain, 0},
                      {"bytes", "Data and records", "", Show::bytes, 0},
                      {"micro_triangles", "Micro-triangles", "", Show::plain, 0},
-                     {"known_area", "Known area", "", Show::share, 2}};
+                     {"known_area", "Known area", "", Show::share, 2},
+                     {"most_overlaps", "Most triangles over a texel", "distinct", Show::plain, 0}};
     for (const auto& t : textures) {
         const auto shares = t.areaShares();
         const auto sum = [](const auto& list) {
@@ -162,24 +181,33 @@ report::Table textureTable(const std::vector<InspectedTexture>& textures) {
         };
         table.rows.push_back({t.name, int64_t{t.width}, int64_t{t.height}, static_cast<int64_t>(t.triangles),
                               static_cast<int64_t>(t.micromaps), sum(t.special), levelsText(t),
-                              static_cast<int64_t>(t.bytes), sum(t.states), shares[0] + shares[1]});
+                              static_cast<int64_t>(t.bytes), sum(t.states), shares[0] + shares[1],
+                              t.overlaps.empty() ? int64_t{0} : int64_t{t.overlaps.rbegin()->first}});
     }
     return table;
 }
 
-report::Table stateTable(const InspectedTexture& texture) {
+report::Table stateTable(const std::vector<InspectedTexture>& textures) {
     using report::Show;
     report::Table table;
-    table.caption = "States of " + texture.name;
-    table.columns = {{"state", "State", "", Show::plain, 0},
-                     {"micro_triangles", "Micro-triangles", "", Show::plain, 0},
-                     {"special", "Whole triangles", "special indices", Show::plain, 0},
-                     {"area", "Area", "", Show::share, 2}};
-    const auto shares = texture.areaShares();
-    for (size_t s = 0; s < 4; ++s) {
-        table.rows.push_back({stateName(static_cast<micromap::State>(s)),
-                              static_cast<int64_t>(texture.states[s]),
-                              static_cast<int64_t>(texture.special[s]), shares[s]});
+    table.caption = "What the states take: area, micro-triangles, and whole triangles (special indices)";
+    table.columns = {{"texture", "Texture", "", Show::plain, 0}};
+    for (const char* what : {"area", "micro_triangles", "special"}) {
+        for (size_t s = 0; s < 4; ++s) {
+            const std::string state = stateName(static_cast<micromap::State>(s));
+            const bool area = std::string_view(what) == "area";
+            const std::string name =
+                area ? state : state + (std::string_view(what) == "special" ? ", whole" : ", micro");
+            table.columns.push_back(
+                {fmt::format("{}_{}", what, state), name, "", area ? Show::share : Show::plain, 2});
+        }
+    }
+    for (const auto& t : textures) {
+        std::vector<report::Cell> row{t.name};
+        for (const double share : t.areaShares()) row.emplace_back(share);
+        for (const uint64_t count : t.states) row.emplace_back(static_cast<int64_t>(count));
+        for (const uint64_t count : t.special) row.emplace_back(static_cast<int64_t>(count));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }

@@ -13,9 +13,10 @@ namespace filigree::jobs {
 report::BarChart levelChart(const std::vector<InspectedTexture>& textures);
 report::BarChart sharingChart(const std::vector<InspectedTexture>& textures);
 report::BarChart stateChart(const std::vector<InspectedTexture>& textures);
+report::BarChart overlapChart(const std::vector<InspectedTexture>& textures);
 report::Table textureTable(const std::vector<InspectedTexture>& textures);
 
-// Micro-triangles and texture area of each state.
-report::Table stateTable(const InspectedTexture& texture);
+// Texture area, micro-triangles and whole triangles of each state.
+report::Table stateTable(const std::vector<InspectedTexture>& textures);
 
 }  // namespace filigree::jobs

@@ -4,8 +4,10 @@
 #include "filigree/report/number.h"
 
 #include "jobs/inspect_charts.h"
+#include "jobs/inspect_view.h"
 #include "jobs/lettering.h"
 #include "jobs/one_stage.h"
+#include "jobs/overlaps.h"
 #include "jobs/overlay.h"
 #include "jobs/texture_group.h"
 
@@ -18,14 +20,11 @@
 namespace filigree::jobs {
 namespace {
 
-// Pages larger than this are slow to open; further pictures stand beside them only.
-constexpr size_t mostEmbedded = 24'000'000;  // bytes of PNG
-
 // One texture on its way to a figure.
 struct Sheet {
     TextureGroup group;
     InspectedTexture measured;
-    std::optional<Result<report::Picture>> picture;
+    std::optional<Status> drawn;
 };
 
 // Names that tell textures apart also where one image is used in several ways.
@@ -42,22 +41,20 @@ void nameSheets(const scene::Scene& scene, std::vector<Sheet>& sheets) {
     }
 }
 
-Result<report::Picture> drawSheet(const scene::Scene& scene, Sheet& sheet,
-                                  const std::filesystem::path& folder) {
+Status drawSheet(const scene::Scene& scene, Sheet& sheet, const std::filesystem::path& folder) {
     InspectedTexture& m = sheet.measured;
     const auto triangles = overlayTriangles(scene, sheet.group);
+    const auto texture = textureOf(scene, sheet.group.source);
     const OverlayLegend legend{fmt::format("{}: {} x {} texels, {} triangles", m.name, m.width, m.height,
                                            report::formatCount(m.triangles)),
                                m.areaShares()};
-    const Overlay overlay =
-        drawOverlay(textureOf(scene, sheet.group.source), sheet.group.source.test.factor, triangles, legend);
+    const Overlay overlay = drawOverlay(texture, sheet.group.source.test.factor, triangles, legend);
     m.distinctTriangles = triangles.size();
     m.drawnTriangles = overlay.drawn;
-    auto png = overlay.canvas.png();
+    m.overlaps = overlapShares(texture, triangles);
+    const auto png = overlay.canvas.png();
     if (!png) return png.error();
-    return writePicture(folder, m.picture.string(), std::move(*png), overlay.canvas.width(),
-                        overlay.canvas.height(),
-                        "Micro-triangles of " + m.name + " in the colours of their states, over the alpha");
+    return writeFile(folder / m.picture, *png);
 }
 
 Status drawSheets(const scene::Scene& scene, std::vector<Sheet>& sheets, const std::filesystem::path& folder,
@@ -65,56 +62,44 @@ Status drawSheets(const scene::Scene& scene, std::vector<Sheet>& sheets, const s
     OneStage stage(progress, "draw", sheets.size(), "textures");
     executor.parallelFor(sheets.size(), 1, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end && !stage.cancelled(); ++i) {
-            sheets[i].picture = drawSheet(scene, sheets[i], folder);
+            sheets[i].drawn = drawSheet(scene, sheets[i], folder);
             stage.advance(1);
         }
     });
     for (const Sheet& sheet : sheets) {
-        if (!sheet.picture) return Error{ErrorKind::cancelled, "stopped while drawing"};
-        if (!*sheet.picture) return sheet.picture->error();
+        if (!sheet.drawn) return Error{ErrorKind::cancelled, "stopped while drawing"};
+        if (!*sheet.drawn) return sheet.drawn->error();
     }
     return {};
 }
 
-report::Legend stateLegend() {
-    report::Legend legend;
-    for (size_t s = 0; s < 4; ++s) {
-        const auto state = static_cast<micromap::State>(s);
-        legend.swatches.push_back({stateColour(state), stateName(state)});
-    }
-    return legend;
-}
-
-std::string captionOf(const InspectedTexture& m) {
+report::Links pictureLinks(const std::vector<Sheet>& sheets) {
     using report::formatCount;
-    std::string text = fmt::format(
-        "{}: {} triangles, {} of them distinct, use {} micromaps. Grey below is the alpha.", m.name,
-        formatCount(m.triangles), formatCount(m.distinctTriangles), formatCount(m.micromaps));
-    if (m.drawnTriangles < m.distinctTriangles) {
-        text +=
-            fmt::format(" The picture shows the first {} distinct triangles.", formatCount(m.drawnTriangles));
+    report::Links links;
+    for (const Sheet& sheet : sheets) {
+        const InspectedTexture& m = sheet.measured;
+        std::string text = m.name;
+        if (m.drawnTriangles < m.distinctTriangles)
+            text += fmt::format(", the first {} of {} distinct triangles", formatCount(m.drawnTriangles),
+                                formatCount(m.distinctTriangles));
+        links.links.push_back({m.picture.string(), text});
     }
-    return text;
+    return links;
 }
 
-report::Section overlaySection(std::vector<Sheet>& sheets, const std::string& command) {
-    report::Section section{"States over the textures", {}};
-    section.blocks.emplace_back(
-        report::Paragraph{"Known micro-triangles are blue and need no alpha test; unknown ones are orange "
-                          "and still call the any-hit "
-                          "shader. The lighter of each pair is the opaque side. Triangles beyond the texture "
-                          "are wrapped back into it, "
-                          "later ones over earlier ones."});
-    section.blocks.emplace_back(stateLegend());
-    size_t embedded = 0;
-    for (Sheet& sheet : sheets) {
-        report::Picture picture = std::move(sheet.picture->value());
-        embedded += picture.png.size();
-        if (embedded > mostEmbedded) picture.png.clear();
-        section.blocks.emplace_back(report::Figure{std::move(picture), captionOf(sheet.measured), command});
-        section.blocks.emplace_back(stateTable(sheet.measured));
-    }
-    return section;
+Result<report::Section> viewSection(const scene::Scene& scene, const std::vector<Sheet>& sheets,
+                                    const ViewBudget& budget, const std::string& command,
+                                    const Executor& executor) {
+    std::vector<ViewInput> inputs;
+    for (const Sheet& sheet : sheets) inputs.push_back({sheet.group, sheet.measured});
+    auto view = inspectView(scene, inputs, budget, executor);
+    if (!view) return view.error();
+    view->caption =
+        "Known micro-triangles are blue and need no alpha test; unknown ones are orange and still call the "
+        "any-hit shader. The lighter of each pair is the opaque side, and grey below is the alpha. "
+        "Triangles beyond the texture are wrapped back into it.";
+    view->command = command;
+    return report::Section{"Micro-triangles over the textures", {std::move(*view)}};
 }
 
 // Writes each chart as SVG and PNG, and gives the section that shows them.
@@ -128,7 +113,7 @@ Result<report::Section> chartSection(const std::vector<InspectedTexture>& textur
     report::FigureRow row;
     for (const Named& named :
          {Named{"levels", levelChart(textures)}, Named{"sharing", sharingChart(textures)},
-          Named{"states", stateChart(textures)}}) {
+          Named{"states", stateChart(textures)}, Named{"overlaps", overlapChart(textures)}}) {
         const report::Drawing drawing = report::layOut(named.chart);
         const auto png = paint(drawing, 2).png();
         if (!png) return png.error();
@@ -137,7 +122,7 @@ Result<report::Section> chartSection(const std::vector<InspectedTexture>& textur
         summary.pictures.emplace_back(file);
         row.figures.push_back({drawing, fmt::format("The same picture as a file: {}.", file), command});
     }
-    return report::Section{"Levels, sharing and states", {std::move(row)}};
+    return report::Section{"Levels, sharing, states and overlaps", {std::move(row)}};
 }
 
 }  // namespace
@@ -156,8 +141,8 @@ std::string plainName(const std::string& name) {
 }
 
 Result<Inspection> inspectScene(const scene::Scene& scene, const std::filesystem::path& folder,
-                                const std::string& command, const Executor& executor,
-                                ProgressSink& progress) {
+                                const std::string& command, const ViewBudget& budget,
+                                const Executor& executor, ProgressSink& progress) {
     Inspection inspection;
     InspectSummary& summary = inspection.summary;
     std::vector<Sheet> sheets;
@@ -172,13 +157,17 @@ Result<Inspection> inspectScene(const scene::Scene& scene, const std::filesystem
         summary.textures.push_back(sheet.measured);
         summary.pictures.push_back(sheet.measured.picture);
     }
+    auto view = viewSection(scene, sheets, budget, command, executor);
+    if (!view) return view.error();
+    if (!sheets.empty()) inspection.sections.push_back(std::move(*view));
     report::Table table = textureTable(summary.textures);
     table.command = command;
-    inspection.sections.push_back({"Textures", {std::move(table)}});
-    inspection.sections.push_back(overlaySection(sheets, command));
+    inspection.sections.push_back({"Textures", {std::move(table), stateTable(summary.textures)}});
     auto charts = chartSection(summary.textures, folder, command, summary);
     if (!charts) return charts.error();
     inspection.sections.push_back(std::move(*charts));
+    if (!sheets.empty())
+        inspection.sections.push_back({"Still pictures beside this page", {pictureLinks(sheets)}});
     return inspection;
 }
 
@@ -189,13 +178,6 @@ Status makeFolder(const std::filesystem::path& folder) {
         return Error{ErrorKind::file,
                      fmt::format("{}: cannot make the folder: {}", folder.string(), error.message())};
     return {};
-}
-
-Result<report::Picture> writePicture(const std::filesystem::path& folder, const std::string& file,
-                                     std::vector<uint8_t> png, uint32_t width, uint32_t height,
-                                     std::string alt) {
-    if (const auto written = writeFile(folder / file, png); !written) return written.error();
-    return report::Picture{std::move(png), width, height, std::move(alt), file};
 }
 
 std::string shellCommand(std::span<const std::string> words) {

@@ -8,6 +8,8 @@
 #include "filigree/report/page.h"
 #include "filigree/scene/scene.h"
 
+#include "jobs/inspect_view.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -21,18 +23,14 @@ struct Inspection {
     std::vector<report::Section> sections;
 };
 
-// Measures and draws the micromaps of `scene`; writes the pictures into `folder`, which exists. `command` is
-// what figures say they were made by.
+// Measures and draws the micromaps of `scene`; writes still pictures into `folder`, which exists. `command`
+// is what figures say they were made by.
 Result<Inspection> inspectScene(const scene::Scene& scene, const std::filesystem::path& folder,
-                                const std::string& command, const Executor& executor, ProgressSink& progress);
+                                const std::string& command, const ViewBudget& budget,
+                                const Executor& executor, ProgressSink& progress);
 
 // Makes `folder` and all above it where missing.
 Status makeFolder(const std::filesystem::path& folder);
-
-// Writes `png` as `folder`/`file` and gives it as a picture of a page.
-Result<report::Picture> writePicture(const std::filesystem::path& folder, const std::string& file,
-                                     std::vector<uint8_t> png, uint32_t width, uint32_t height,
-                                     std::string alt);
 
 // A file name of plain characters.
 std::string plainName(const std::string& name);

@@ -4,6 +4,7 @@
 #include "filigree/micromap/quadtree.h"
 
 #include "jobs/overlay_legend.h"
+#include "jobs/tile_copies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,42 +18,9 @@ using micromap::State;
 constexpr uint32_t largestSide = 2048;       // pixels
 constexpr uint64_t workLimit = 600'000'000;  // pixels written, about two seconds
 constexpr uint64_t leafWork = 16;            // what a leaf costs before its pixels
-constexpr int mostCopies = 64;               // of one triangle, along one axis
 constexpr uint8_t bare = 255;                // label of a pixel without a triangle
 constexpr double leastMicroEdge = 4;         // pixels; below it the grid would hide the states
 constexpr double fullMicroEdge = 14;
-
-// ---- wrapping ----
-
-// How one copy of a triangle comes into the tile along one axis: at + sign * (coordinate - at).
-struct AxisCopy {
-    double offset = 0;
-    double sign = 1;
-    [[nodiscard]] double operator()(double coordinate) const { return offset + sign * coordinate; }
-};
-
-std::vector<AxisCopy> copiesAlong(double lo, double hi, image::Wrap wrap) {
-    if (wrap == image::Wrap::clampToEdge) return {{0, 1}};
-    std::vector<AxisCopy> copies;
-    const double first = std::floor(lo);
-    const double last = std::max(first, std::ceil(hi) - 1);
-    for (double tile = first; tile <= last && copies.size() < mostCopies; ++tile) {
-        const bool odd = std::fmod(std::abs(tile), 2) == 1;
-        if (odd && wrap == image::Wrap::mirroredRepeat) {
-            copies.push_back({tile + 1, -1});
-        } else {
-            copies.push_back({-tile, 1});
-        }
-    }
-    return copies;
-}
-
-bool isDrawable(const OverlayTriangle& t) {
-    // Beyond 2^20 tiles single precision leaves nothing to see within one.
-    return std::all_of(t.uv.begin(), t.uv.end(), [](const mesh::Uv& uv) {
-        return std::abs(uv.u) < 0x1p20F && std::abs(uv.v) < 0x1p20F;
-    });
-}
 
 // ---- painting ----
 
@@ -66,18 +34,9 @@ class Painter {
 
     // False once the work limit is reached; the triangle is then not drawn.
     bool draw(const OverlayTriangle& t, const image::AlphaTexture& texture) {
-        if (!isDrawable(t)) return true;
-        const auto [u0, u1] = std::minmax({t.uv[0].u, t.uv[1].u, t.uv[2].u});
-        const auto [v0, v1] = std::minmax({t.uv[0].v, t.uv[1].v, t.uv[2].v});
-        for (const AxisCopy& cu : copiesAlong(u0, u1, texture.wrapU)) {
-            for (const AxisCopy& cv : copiesAlong(v0, v1, texture.wrapV)) {
-                if (work_ > workLimit) return false;
-                std::array<Pixel, 3> corners{};
-                for (size_t k = 0; k < 3; ++k) {
-                    corners[k] = {cu(t.uv[k].u) * width_, cv(t.uv[k].v) * height_};
-                }
-                drawCopy(corners, t);
-            }
+        for (const auto& corners : tileCopies(t.uv, texture.wrapU, texture.wrapV, width_, height_)) {
+            if (work_ > workLimit) return false;
+            drawCopy(corners, t);
         }
         return true;
     }

@@ -39,7 +39,7 @@ scene::Scene baked(std::vector<scene::Material> materials, unsigned level) {
 
 Inspection inspected(const scene::Scene& scene, const TempFolder& folder) {
     auto inspection =
-        inspectScene(scene, folder.path(), "filigree inspect", serialExecutor(), silentProgress());
+        inspectScene(scene, folder.path(), "filigree inspect", {}, serialExecutor(), silentProgress());
     EXPECT_TRUE(inspection.ok()) << inspection.error().message;
     return inspection.ok() ? std::move(*inspection) : Inspection{};
 }
@@ -81,7 +81,7 @@ TEST(Inspect, specialIndicesCountAsWholeTriangles) {
 TEST(Inspect, writesEveryPictureItNames) {
     const TempFolder folder;
     const auto inspection = inspected(baked({masked(0)}, 3), folder);
-    EXPECT_EQ(inspection.summary.pictures.size(), 4U) << "an overlay and three charts";
+    EXPECT_EQ(inspection.summary.pictures.size(), 5U) << "an overlay and four charts";
     for (const auto& picture : inspection.summary.pictures) {
         const auto bytes = readFile(folder.path() / picture);
         ASSERT_TRUE(bytes.ok()) << picture;
@@ -126,7 +126,7 @@ TEST(Inspect, sameSceneSamePictures) {
     const scene::Scene scene = baked({masked(0)}, 5);
     const auto threads = makeThreadedExecutor(3);
     const auto first = inspected(scene, a);
-    ASSERT_TRUE(inspectScene(scene, b.path(), "filigree inspect", *threads, silentProgress()).ok());
+    ASSERT_TRUE(inspectScene(scene, b.path(), "filigree inspect", {}, *threads, silentProgress()).ok());
     for (const auto& picture : first.summary.pictures) {
         EXPECT_EQ(*readFile(a.path() / picture), *readFile(b.path() / picture)) << picture;
     }

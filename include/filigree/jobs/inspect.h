@@ -1,4 +1,4 @@
-// Pictures of a scene's micromaps: states over each masked texture, histograms, one HTML page.
+// A page to explore a scene's micromaps: states over each masked texture, histograms, what costs most.
 #pragma once
 
 #include "filigree/core/executor.h"
@@ -19,6 +19,7 @@ struct InspectOptions {
     std::filesystem::path input;         // .glb or .gltf, with or without micromaps
     std::filesystem::path outputFolder;  // made when missing; existing files of the same names are replaced
     BakeParameters parameters;           // how to bake in memory when the file has no micromaps
+    bool full = false;                   // the page holds everything, however large; else less than 10 MB
 };
 
 // One masked texture and the micromaps over it.
@@ -37,6 +38,7 @@ struct InspectedTexture {
     std::array<double, 4> area{};         // texels covered by each state, summed over the triangles
     std::map<unsigned, uint64_t> levels;  // micromaps by level
     std::map<uint64_t, uint64_t> sharing;  // micromaps by the number of triangles that share each
+    std::map<uint32_t, double> overlaps;   // texels, as a share of all, by the distinct triangles over them
 
     // The shares of `area`, of one; all 0 without area.
     [[nodiscard]] std::array<double, 4> areaShares() const;

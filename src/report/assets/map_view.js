@@ -2,6 +2,9 @@
 
 const modes = [['states', 'Topmost'], ['mean', 'Mean of all'], ['overlaps', 'Overlaps']];
 
+// How strongly the colours of a mode cover the alpha at first, percent.
+const strengths = { states: 72, mean: 72, overlaps: 90 };
+
 // From one to many: dark blue, green, yellow.
 const heatStops = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 
@@ -64,6 +67,7 @@ class MapView {
     this.build();
     this.stage = new Stage(this.host, (texel, isClick) => this.point(texel, isClick));
     this.host.addEventListener('keydown', (event) => this.onKey(event));
+    this.setStrength(strengths.states);
     this.choose(0);
   }
 
@@ -88,8 +92,8 @@ class MapView {
     this.modes = make('select', { 'aria-label': 'What is drawn' },
       ...modes.map(([key, name]) => make('option', { value: key }, name)));
     this.modes.addEventListener('change', () => this.setMode(this.modes.value));
-    const opacity = make('input', { type: 'range', min: 0, max: 100, value: 72, 'aria-label': 'Strength of the colours' });
-    opacity.addEventListener('input', () => { this.stage.layers[1].style.opacity = opacity.value / 100; });
+    this.strength = make('input', { type: 'range', min: 0, max: 100, value: strengths.states, 'aria-label': 'Strength of the colours' });
+    this.strength.addEventListener('input', () => this.setStrength(this.strength.value));
     this.level = make('select', { 'aria-label': 'Finest level shown' });
     this.level.addEventListener('change', () => this.setLevel(Number(this.level.value)));
     const button = (text, title, act) => {
@@ -98,7 +102,7 @@ class MapView {
       return b;
     };
     return make('div', { class: 'tools' }, this.texture,
-      make('label', {}, 'Draw ', this.modes), make('label', {}, 'Level ', this.level), make('label', {}, 'Colour ', opacity),
+      make('label', {}, 'Draw ', this.modes), make('label', {}, 'Level ', this.level), make('label', {}, 'Colour ', this.strength),
       make('span', { class: 'zoom' }, button('\u2212', 'Zoom out', () => this.stage.zoomMiddle(1 / 1.5)),
         button('+', 'Zoom in', () => this.stage.zoomMiddle(1.5)), button('Fit', 'Show all', () => this.stage.fit())));
   }
@@ -171,8 +175,15 @@ class MapView {
     this.stage.redraw();
   }
 
+  setStrength(percentage) {
+    this.strength.value = percentage;
+    this.stage.layers[1].style.opacity = percentage / 100;
+  }
+
   setMode(mode) {
     this.mode = mode;
+    this.modes.value = mode;
+    this.setStrength(strengths[mode]);
     this.heat.hidden = mode !== 'overlaps';
     this.heat.querySelector('.most').textContent = `${grouped(this.data.meta.overlaps)} triangles over a texel`;
     this.stage.redraw();

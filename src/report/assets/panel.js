@@ -33,7 +33,7 @@ function levelFilter(counts, visible, onChange) {
   const levels = [...counts.keys()].sort((a, b) => a - b);
   return filterList('Levels, by distinct triangles', levels.map((level) => {
     visible.add(level);
-    const name = level < 0 ? 'special' : `level ${level}`;
+    const name = level < 0 ? 'special index' : `level ${level}`;
     return filterRow([name], counts.get(level) / longest, grouped(counts.get(level)), (on) => {
       if (on) visible.add(level);
       else visible.delete(level);

@@ -140,7 +140,7 @@ class Lines {
     this.n = n;
     this.heights = [1 / Math.hypot(t.b1X, t.b1Y), 1 / Math.hypot(t.b2X, t.b2Y), 1 / flat];
     const edge = t.longest / n;
-    this.grid = level > 0 && edge >= gridFromEdge ? Math.min(0.15 + (edge - gridFromEdge) * 0.02, 0.4) : 0;
+    this.grid = level > 0 && edge >= gridFromEdge ? Math.min(0.15 + (edge - gridFromEdge) * 0.02, 0.5) : 0;
     this.outline = t.longest >= outlineFromEdge ? 0.8 : 0;
     this.shown = this.grid > 0 || this.outline > 0;
   }
@@ -149,10 +149,10 @@ class Lines {
     const [h1, h2, h0] = this.heights;
     const b0 = 1 - b1 - b2;
     const edge = Math.min(b1 * h1, b2 * h2, b0 * h0);
-    if (edge < 0.8) return this.outline;
+    if (edge < 1) return this.outline * Math.min(1, 1.4 - edge);
     if (this.grid === 0) return 0;
     const near = (b, h) => Math.abs(b * this.n - Math.round(b * this.n)) * (h / this.n);
-    return Math.min(near(b1, h1), near(b2, h2), near(b0, h0)) < 0.5 ? this.grid : 0;
+    return this.grid * Math.max(0, 1 - Math.min(near(b1, h1), near(b2, h2), near(b0, h0)));
   }
 }
 

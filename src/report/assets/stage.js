@@ -2,7 +2,7 @@
 // canvases unless a name says otherwise.
 
 const mostPixels = 2.5e6;     // a larger canvas is drawn at a coarser ratio
-const firstTry = 45;          // ms to draw all before a coarse picture bridges the wait
+const firstTry = 25;          // ms to draw all before a coarse picture bridges the wait
 const slice = 12;             // ms of drawing between two looks at the input
 const coarseness = 4;
 const margin = 12;
