@@ -47,7 +47,7 @@ RayContext Caster::contextOf(const Ray& ray) {
     return context;
 }
 
-std::optional<RTCHit> Caster::nearestHit(const Ray& ray) {
+std::optional<NearestHit> Caster::nearestHit(const Ray& ray) {
     RayContext context = contextOf(ray);
     if (!isUsable(ray)) return std::nullopt;
     RTCRayHit found;
@@ -55,8 +55,15 @@ std::optional<RTCHit> Caster::nearestHit(const Ray& ray) {
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world_.top.get(), &context.embree, &found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return found.hit;
+    NearestHit hit;
+    hit.distance = found.ray.tfar;
+    hit.surface = found.hit;
+    if (hit.onGrid()) {
+        hit.distance = hit.grid.t;
+    } else if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return std::nullopt;
+    }
+    return hit;
 }
 
 bool Caster::isOccluded(const Ray& ray) {

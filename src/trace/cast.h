@@ -1,6 +1,7 @@
 // One ray into a world.
 #pragma once
 
+#include "filigree/grid/rays.h"
 #include "filigree/trace/rays.h"
 
 #include "trace/filter.h"
@@ -20,6 +21,15 @@ struct CastOptions {
     bool countBitsRead = false;
 };
 
+// A hit on a surface under Embree or on a grid.
+struct NearestHit {
+    float distance = 0;  // in lengths of the ray's direction
+    RTCHit surface;      // where onGrid() is false
+    grid::Hit grid;      // where it is true
+
+    [[nodiscard]] bool onGrid() const { return grid.grid != grid::noGrid; }
+};
+
 // Casts rays and counts what they cost.
 class Caster {
   public:
@@ -27,7 +37,7 @@ class Caster {
     Caster(const World::Data& world, const Opacity::Data& opacity, const CastOptions& options)
         : world_(world), opacity_(opacity), options_(options) {}
 
-    std::optional<RTCHit> nearestHit(const Ray& ray);
+    std::optional<NearestHit> nearestHit(const Ray& ray);
     bool isOccluded(const Ray& ray);
 
     [[nodiscard]] const Counters& counters() const { return counters_; }

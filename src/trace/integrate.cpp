@@ -17,6 +17,7 @@ namespace filigree::trace {
 namespace {
 
 constexpr float farthest = std::numeric_limits<float>::infinity();
+constexpr Vec3 plainAlbedo{0.6F, 0.6F, 0.6F};
 constexpr Vec3 sunlight{2.6F, 2.35F, 1.9F};
 constexpr Vec3 haze{1.1F, 1.3F, 1.5F};
 constexpr Vec3 zenith{0.35F, 0.7F, 1.4F};
@@ -52,9 +53,23 @@ const std::array<float, 256>& linearOfSrgb() {
     return table;
 }
 
+// Of length 1 and towards where a ray comes from.
+Vec3 towards(const Vec3& normal, const Vec3& direction) {
+    if (!(dot(normal, normal) > 0)) return times(direction, -1);
+    const Vec3 unit = normalised(normal);
+    return dot(unit, direction) > 0 ? times(unit, -1) : unit;
+}
+
+// A smooth normal on the side of the flat one.
+Vec3 bent(const Vec3& flat, const Vec3& smooth) {
+    if (!(dot(smooth, smooth) > 0)) return flat;
+    const Vec3 unit = normalised(smooth);
+    return dot(unit, flat) < 0 ? times(unit, -1) : unit;
+}
+
 // The nearest texel: the pictures show alpha tests, not texture filters.
 Vec3 albedoOf(const Surface& surface, uint32_t triangle, float u, float v) {
-    if (surface.material == nullptr) return {0.6F, 0.6F, 0.6F};
+    if (surface.material == nullptr) return plainAlbedo;
     const scene::Material& material = *surface.material;
     const Vec3 factor{material.baseColourFactor[0], material.baseColourFactor[1],
                       material.baseColourFactor[2]};
@@ -115,7 +130,7 @@ class Walker {
     std::optional<Place> intersect(const Vec3& origin, const Vec3& direction, RayKind kind, uint32_t seed) {
         const auto hit = caster_.nearestHit(noted({origin, direction, farthest, seed, kind}));
         if (!hit) return std::nullopt;
-        return placeOf(*hit, direction);
+        return hit->onGrid() ? placeOnGrid(*hit, origin, direction) : placeOf(hit->surface, direction);
     }
 
     const Ray& noted(const Ray& ray) {
@@ -133,11 +148,20 @@ class Walker {
         }
         const Vec3 e1 = minus(corners[1], corners[0]);
         const Vec3 e2 = minus(corners[2], corners[0]);
-        Vec3 normal = cross(e1, e2);
-        normal = dot(normal, normal) > 0 ? normalised(normal) : times(direction, -1);
-        if (dot(normal, direction) > 0) normal = times(normal, -1);
-        return {plus(corners[0], plus(times(e1, hit.u), times(e2, hit.v))), normal,
+        return {plus(corners[0], plus(times(e1, hit.u), times(e2, hit.v))), towards(cross(e1, e2), direction),
                 albedoOf(surface, hit.primID, hit.u, hit.v)};
+    }
+
+    [[nodiscard]] Place placeOnGrid(const NearestHit& hit, const Vec3& origin, const Vec3& direction) const {
+        const GridPart& part = world_.grids;
+        Place place;
+        place.point = plus(origin, times(direction, hit.distance));
+        place.normal = towards(hit.grid.normal, direction);
+        place.albedo = part.albedo ? part.albedo(hit.grid) : plainAlbedo;
+        if (part.attributes == nullptr || part.attributes->empty()) return place;
+        if (const auto smooth = surfaceAt(*part.attributes, part.table, hit.grid).normal)
+            place.normal = bent(place.normal, *smooth);
+        return place;
     }
 
     // True when something lies within `length` of a place.

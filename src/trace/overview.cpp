@@ -16,6 +16,7 @@ namespace {
 
 constexpr uint32_t trialHeight = 40;  // pixels of a picture that tries a camera
 constexpr unsigned directions = 8;
+constexpr unsigned onAnyGrid = ~0u;  // stands for an instance
 
 Vec3 towards(unsigned direction, float elevation) {
     const float angle = 2 * std::numbers::pi_v<float> * (static_cast<float>(direction) + 0.3F) / directions;
@@ -59,12 +60,16 @@ Trial tryCamera(const World& world, const Opacity& opacity, const scene::Camera&
         ray.length = std::numeric_limits<float>::infinity();
         const auto hit = caster.nearestHit(ray);
         if (!hit) continue;
-        const Surface& surface = world.data().surfaceOf(*hit);
+        if (hit->onGrid()) {
+            seen[{onAnyGrid, 0}] += pixel;
+            continue;
+        }
+        const Surface& surface = world.data().surfaceOf(hit->surface);
         if (surface.kind != AlphaKind::opaque) trial.testedShare += pixel;
-        seen[{hit->instID[0], surface.number}] += pixel;
+        seen[{hit->surface.instID[0], surface.number}] += pixel;
     }
     for (const auto& [what, share] : seen)
-        trial.interest += std::sqrt(share) * (world.isTested(what.second) ? 3 : 1);
+        trial.interest += std::sqrt(share) * (what.first != onAnyGrid && world.isTested(what.second) ? 3 : 1);
     return trial;
 }
 

@@ -9,6 +9,12 @@ uint64_t mixed(uint64_t hash, uint64_t value) {
     return (hash ^ value) * 0x9e3779b97f4a7c15u + (hash >> 29);
 }
 
+// Of what was hit.
+uint64_t hashOf(const NearestHit& hit) {
+    if (!hit.onGrid()) return mixed(hit.surface.instID[0], mixed(hit.surface.geomID, hit.surface.primID));
+    return mixed(hit.grid.grid, mixed(hit.grid.row, uint64_t{2} * hit.grid.column + hit.grid.half));
+}
+
 // The texture's answers, written down with what was asked.
 struct Recording final : Opacity::Data {
     mutable std::vector<CandidateHit> candidates;
@@ -27,7 +33,7 @@ CastSummary castAll(Caster& caster, std::span<const Ray> rays) {
         if (asksForAnyHit(ray.kind)) {
             found = caster.isOccluded(ray) ? 1 : 0;
         } else if (const auto hit = caster.nearestHit(ray)) {
-            found = 1 + mixed(hit->instID[0], mixed(hit->geomID, hit->primID));
+            found = 1 + hashOf(*hit);
         }
         summary.hits += found != 0 ? 1 : 0;
         summary.hash = mixed(summary.hash, found);

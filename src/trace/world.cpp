@@ -1,3 +1,5 @@
+#include "filigree/grid/encode_grids.h"
+
 #include "trace/filter.h"
 #include "trace/world_data.h"
 
@@ -55,6 +57,7 @@ class Builder {
         triangles_.resize(scene_.meshes.size());
         for (const auto& mesh : scene_.meshes) addMesh(mesh);
         placeInstances();
+        placeGrids();
         note("triangles with vertices that are not finite, left out", droppedTriangles_);
         note("instances with transforms that are not finite, flatten to nothing or reach too far, left out",
              droppedInstances_);
@@ -185,6 +188,13 @@ class Builder {
         for (unsigned k = 0; k < 8; ++k) to_.bounds.extend(transformed(instance.transform, box.corner(k)));
     }
 
+    void placeGrids() {
+        to_.grids = options_.grids;
+        if (to_.grids.grids == nullptr) return;
+        to_.triangleCount += to_.grids.triangles;
+        to_.bounds.extend(boundsOf(to_.grids));
+    }
+
     void note(std::string_view what, uint64_t count) {
         if (count > 0) to_.notes.push_back(fmt::format("{}: {}", what, count));
     }
@@ -242,6 +252,11 @@ World::Bytes World::bytes() const {
     bytes.geometry = data_->geometryBytes;
     const auto all = static_cast<uint64_t>(std::max<int64_t>(0, data_->embreeBytes));
     bytes.bvh = all - std::min(all, data_->geometryBytes);
+    if (data_->grids.grids != nullptr) {
+        const grid::GridBytes grids = bytesOf(*data_->grids.grids);
+        bytes.geometry += grids.geometry + grids.clusters;
+        bytes.bvh += grids.bvh;
+    }
     for (const auto& sampler : data_->samplers) bytes.textures += sampler->bytes();
     return bytes;
 }

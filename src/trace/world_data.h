@@ -90,6 +90,7 @@ struct World::Data {
     Box bounds;
     uint64_t triangleCount = 0;
     uint64_t geometryBytes = 0;
+    GridPart grids;
     std::vector<std::string> notes;
 
     [[nodiscard]] const Surface& surfaceOf(const RTCHit& hit) const {

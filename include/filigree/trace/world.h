@@ -4,6 +4,7 @@
 #include "filigree/core/box.h"
 #include "filigree/core/result.h"
 #include "filigree/scene/scene.h"
+#include "filigree/trace/grid_part.h"
 
 #include <array>
 #include <cstddef>
@@ -19,6 +20,7 @@ struct WorldOptions {
     // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8
     // bits; otherwise a copy of the alpha alone.
     bool alphaAmongColours = false;
+    GridPart grids{};  // beside the scene's meshes
 };
 
 // Meshes are built once and instanced. A surface is one primitive of a mesh, with its material; they are
@@ -41,13 +43,13 @@ class World {
     // True where hits are candidates that an alpha test decides.
     [[nodiscard]] bool isTested(size_t surface) const;
 
-    [[nodiscard]] Box bounds() const;              // of all instances, in world units
+    [[nodiscard]] Box bounds() const;              // of all instances and grids, in world units
     [[nodiscard]] uint64_t triangleCount() const;  // instances counted
     [[nodiscard]] const std::vector<std::string>& notes() const;
 
     // Memory while rays are traced, in bytes.
     struct Bytes {
-        uint64_t geometry = 0;  // vertices and indices as Embree holds them
+        uint64_t geometry = 0;  // vertices and indices as Embree holds them, records of grids
         uint64_t bvh = 0;
         uint64_t textures = 0;  // alpha as the any-hit test reads it
     };

@@ -1,0 +1,31 @@
+// Compressed grids as a part of a world.
+#pragma once
+
+#include "filigree/core/box.h"
+#include "filigree/core/vec3.h"
+#include "filigree/grid/attributes.h"
+#include "filigree/grid/encoded_grids.h"
+#include "filigree/grid/rays.h"
+#include "filigree/grid/vertex_grid.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace filigree::trace {
+
+// Opaque, in world units, beside what Embree holds. All that it points to must outlive the world.
+struct GridPart {
+    const grid::EncodedGrids* grids = nullptr;  // checked (grid/check.h); null: none
+    std::span<const grid::VertexGrid> table;
+    uint64_t triangles = 0;
+    // For smooth normals; null or without normals: flat triangles.
+    const grid::GridAttributes* attributes = nullptr;
+    // The diffuse colour where a ray hits, linear; empty: grey.
+    std::function<Vec3(const grid::Hit& hit)> albedo;
+};
+
+// Around all of it, up to the rounding of the hierarchy's boxes.
+Box boundsOf(const GridPart& part);
+
+}  // namespace filigree::trace
