@@ -56,6 +56,23 @@ class CommonSpacing {
     double longest_ = 0;
 };
 
+// Distances between some coordinates: of neighbours among them, the shortest first, then from the least.
+std::vector<double> sampledDistances(const GridMesh& mesh, size_t axis) {
+    constexpr size_t most = 1 << 13;
+    const size_t apart = 1 + (mesh.vertices.size() + mesh.looseVertices.size()) / most;
+    std::vector<double> sample;
+    forEachCoordinate(mesh, axis, [&](double value, size_t index) {
+        if (index < most / 2 || index % apart == 0) sample.push_back(value);
+        return true;
+    });
+    std::sort(sample.begin(), sample.end());
+    std::vector<double> distances;
+    for (size_t k = 1; k < sample.size(); ++k) distances.push_back(sample[k] - sample[k - 1]);
+    std::sort(distances.begin(), distances.end());
+    for (size_t k = 1; k < sample.size(); ++k) distances.push_back(sample[k] - sample[0]);
+    return distances;
+}
+
 // The first vertex that origin + step * n is not for any n.
 std::optional<size_t> firstInexact(const GridMesh& mesh, size_t axis, double origin, double step) {
     std::optional<size_t> first;
@@ -133,10 +150,18 @@ double AxisCoordinates::rounding() const {
 }
 
 SpacingSearch findSpacing(const GridMesh& mesh, size_t axis, const AxisCoordinates& coordinates) {
-    CommonSpacing common(coordinates.rounding());
     SpacingSearch found;
+    CommonSpacing common(coordinates.rounding());
+    // Short distances first: dividing long ones would lose what they know.
+    for (const double distance : sampledDistances(mesh, axis))
+        if (!common.take(distance)) {
+            common = CommonSpacing(coordinates.rounding());
+            break;
+        }
+    double first = 0;
     forEachCoordinate(mesh, axis, [&](double value, size_t index) {
-        if (!common.take(value - coordinates.low)) found.breach = index;
+        if (index == 0) first = value;
+        if (!common.take(std::abs(value - first))) found.breach = index;
         return !found.breach;
     });
     if (found.breach || common.step() == 0) return found;
