@@ -25,8 +25,8 @@ namespace filigree::grid {
 Result<Lattice> latticeForError(const GridMesh& mesh, double maxError);
 
 // The root mean square distance of the vertices of grids (of loose triangles, where there are no grids) is
-// measured to be `rms`, world units, or up to 0.5 % less; it may be far less where all axes are regular. Fails
-// with ErrorKind::usage like latticeForError.
+// measured to be `rms`, world units, or up to 0.5 % less; it may be far less where all axes are regular.
+// Fails with ErrorKind::usage like latticeForError.
 Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor);
 
 // positionOf(pointAt(v)) is v, to the bit, for every vertex: heightfields, quantised meshes. Fails with
