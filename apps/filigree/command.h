@@ -77,6 +77,7 @@ void addCompare(CLI::App& app, Commands& commands);
 void addCompress(CLI::App& app, Commands& commands);
 void addExpand(CLI::App& app, Commands& commands);
 void addValidate(CLI::App& app, Commands& commands);
+void addGrids(CLI::App& app, Commands& commands);
 void addInspect(CLI::App& app, Commands& commands);
 void addBench(CLI::App& app, Commands& commands);
 void addBenchEncode(CLI::App& bench, Commands& commands);

@@ -12,19 +12,6 @@
 namespace filigree::app {
 namespace {
 
-// The verbs that are planned but not there yet: they say so and are wrong usage.
-void addLater(CLI::App& app, Commands& commands) {
-    for (const char* name : {"grids"}) {
-        Command command(app, name, "Not in this version", fmt::format("filigree {} --help", name));
-        command.options().group("")->allow_extras();
-        command.onRun([name] {
-            return Command::report(
-                {ErrorKind::usage, fmt::format("{} is not in this version; see filigree --help", name)});
-        });
-        commands.push_back(command);
-    }
-}
-
 int runChosen(const Commands& commands) {
     for (const auto& command : commands) {
         if (command.chosen()) return command.run();
@@ -46,10 +33,10 @@ int run(int argc, char** argv) {
     addValidate(app, commands);
     addInspect(app, commands);
     addVq(app, commands);
+    addGrids(app, commands);
     addBench(app, commands);
     addRender(app, commands);
     addDemo(app, commands);
-    addLater(app, commands);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) {  // --help, --version

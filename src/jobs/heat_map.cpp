@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,8 +50,16 @@ double roundedUp(double value) {
     return 10 * power;
 }
 
+// The sums that count.
+std::vector<uint32_t> present(const HeatSource& source) {
+    std::vector<uint32_t> sums;
+    std::ranges::copy_if(source.sums, std::back_inserter(sums),
+                         [](uint32_t sum) { return sum != HeatSource::absent; });
+    return sums;
+}
+
 double scaleEnd(const HeatSource& source) {
-    std::vector<uint32_t> sums(source.sums.begin(), source.sums.end());
+    std::vector<uint32_t> sums = present(source);
     const auto at = sums.begin() + static_cast<std::ptrdiff_t>((sums.size() - 1) * 999 / 1000);
     std::nth_element(sums.begin(), at, sums.end());
     const double most = *at > 0 ? static_cast<double>(*at) / source.samples : source.maximum();
@@ -68,8 +78,10 @@ void drawPanel(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& si
 
 void drawHeat(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& source, uint32_t zoom,
               double end) {
-    drawPanel(canvas, left, top, source, zoom,
-              [&](size_t pixel) { return heatColour(placeOf(source.at(pixel) / end)); });
+    drawPanel(canvas, left, top, source, zoom, [&](size_t pixel) {
+        if (source.sums[pixel] == HeatSource::absent) return blank;
+        return heatColour(placeOf(source.at(pixel) / end));
+    });
 }
 
 // The bar with its numbers, laid out in shares of the text's size.
@@ -119,13 +131,14 @@ std::string withCaption(std::string_view method, const HeatSource& without, cons
 }  // namespace
 
 double HeatSource::mean() const {
-    double sum = 0;
-    for (const uint32_t count : sums) sum += count;
-    return sums.empty() ? 0 : sum / static_cast<double>(sums.size()) / samples;
+    const auto counts = present(*this);
+    const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+    return counts.empty() ? 0 : sum / static_cast<double>(counts.size()) / samples;
 }
 
 double HeatSource::maximum() const {
-    return sums.empty() ? 0 : static_cast<double>(*std::ranges::max_element(sums)) / samples;
+    const auto counts = present(*this);
+    return counts.empty() ? 0 : static_cast<double>(*std::ranges::max_element(counts)) / samples;
 }
 
 Canvas heatMap(const HeatSource& source) {

@@ -14,11 +14,13 @@ namespace filigree::jobs {
 // Counts of each pixel, of all its samples together.
 struct HeatSource {
     std::string_view what;           // "alpha tests a sample"
-    std::span<const uint32_t> sums;  // [width * height]
+    std::span<const uint32_t> sums;  // [width * height], one at least not absent
     uint32_t width = 0;              // pixels
     uint32_t height = 0;
     unsigned samples = 1;
 
+    // The sum of a pixel that shows nothing and counts for nothing.
+    static constexpr uint32_t absent = UINT32_MAX;
     [[nodiscard]] double at(size_t pixel) const { return static_cast<double>(sums[pixel]) / samples; }
     [[nodiscard]] double mean() const;
     [[nodiscard]] double maximum() const;

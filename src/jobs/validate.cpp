@@ -5,6 +5,7 @@
 #include "filigree/encoding/one_bit.h"
 #include "filigree/io/api_blob.h"
 #include "filigree/io/fil.h"
+#include "filigree/io/fil_grids.h"
 #include "filigree/io/fil_squares.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/gltf_rules.h"
@@ -57,7 +58,14 @@ Status validateSquares(const ValidateOptions& options, ValidateSummary& summary)
     return file ? Status() : refused(file.error(), "container", "fil-container", summary);
 }
 
-Status validateFil(const ValidateOptions& options, ValidateSummary& summary) {
+Status validateGrids(const ValidateOptions& options, const Executor& executor, ValidateSummary& summary) {
+    if (options.deep) summary.notes.push_back("a .fil of grids is checked by its rules alone");
+    const auto file = io::readFilGrids(options.input, executor);
+    return file ? Status() : refused(file.error(), "grids", "fil-grids", summary);
+}
+
+Status validateFil(const ValidateOptions& options, const Executor& executor, ValidateSummary& summary) {
+    if (io::gridsIn(options.input)) return validateGrids(options, executor, summary);
     if (io::squaresIn(options.input)) return validateSquares(options, summary);
     const auto file = io::FilFile::read(options.input);
     if (!file) return refused(file.error(), "container", "fil-container", summary);
@@ -90,7 +98,7 @@ Status validateFile(const ValidateOptions& options, const Executor& executor, Pr
                     ValidateSummary& summary) {
     std::error_code ignored;
     if (std::filesystem::is_directory(options.input, ignored)) return validateBlobs(options, summary);
-    if (io::isFil(options.input)) return validateFil(options, summary);
+    if (io::isFil(options.input)) return validateFil(options, executor, summary);
     return validateGltf(options, executor, progress, summary);
 }
 

@@ -37,8 +37,15 @@ class Usage(CliTest):
             for value in values:
                 self.expect_error(2, *bake, f"{option}={value}", says=option)
 
-    def test_verbs_to_come(self):
-        self.expect_error(2, "grids", "in.glb", "-o", "out.fil", says="not in this version")
+    def test_grids(self):
+        grids = ["grids", "in.glb", "-o", "out.fil"]
+        for args in (["--codec", "zip"], ["--max-error", "0"], ["--max-error", "-1d"], ["--max-error", "x"],
+                     ["--max-error", "inf"], ["--lossless", "--match-paper"], ["--snap"],
+                     ["--max-error", "1", "--lossless"], ["--codec", "paper", "--lossless"],
+                     ["--displacement", "unit-vector", "--lossless"], ["--displacement", "short"],
+                     ["--cell", "2"], ["--height-scale", "2"], ["--error-map", "x.jpg"]):
+            self.expect_error(2, *grids, *args, says=args[0])
+        self.expect_error(2, "grids", "in.obj", "-o", "out.fil", says="expected a .glb, .gltf, .ply or .png")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,28 @@
+// The lattice of a mesh after what the user asks for.
+#pragma once
+
+#include "filigree/core/executor.h"
+#include "filigree/core/result.h"
+#include "filigree/grid/lattice.h"
+#include "filigree/grid/paper.h"
+#include "filigree/grid/vertex_grid.h"
+#include "filigree/jobs/grids.h"
+
+#include <optional>
+
+namespace filigree::jobs {
+
+struct ChosenLattice {
+    grid::Lattice lattice;
+    std::optional<double> paperRms;  // where it was matched, world units
+};
+
+// Where the paper's codec has no error on the mesh, or there are no grids, its share of the diagonal is taken
+// to be this, which is what it is on ordinary displaced surfaces.
+inline constexpr double usualPaperRms = 1e-5;
+
+// Errors name the option.
+Result<ChosenLattice> chooseLattice(const grid::GridMesh& mesh, const GridPrecision& precision,
+                                    grid::DisplacementCode displacement, const Executor& executor);
+
+}  // namespace filigree::jobs
