@@ -6,7 +6,7 @@
 #include "grid/weld.h"
 
 #include <algorithm>
-#include <cassert>
+#include <limits>
 
 namespace filigree::grid {
 namespace {
@@ -63,8 +63,9 @@ class LooseClustering {
 
     uint64_t placeOnCurve(const std::array<uint32_t, 3>& triangle) const {
         constexpr double cells = 1 << 21;
-        const double most = std::max({box_.high[0] - box_.low[0], box_.high[1] - box_.low[1],
-                                      box_.high[2] - box_.low[2], std::numeric_limits<float>::min()});
+        double most = std::numeric_limits<float>::min();
+        for (size_t axis = 0; axis < 3; ++axis)
+            most = std::max(most, double{box_.high[axis]} - double{box_.low[axis]});
         uint64_t key = 0;
         for (size_t axis = 0; axis < 3; ++axis) {
             double middle = 0;

@@ -14,30 +14,40 @@ namespace hn = hwy::HWY_NAMESPACE;
 using ClusterLanes = hn::CappedTag<int32_t, 16>;
 using ClusterVector = hn::VFromD<ClusterLanes>;
 
-// The offsets of one axis, one a lane.
+// The offsets of one axis, one a lane. They come out of one vector of bytes, as 4 lanes and more of 24 bits
+// and 7 in front fit into their own size; gathers are slow where processors had to be mended.
 class OffsetLanes {
   public:
     OffsetLanes(const uint8_t* record, uint32_t begin, unsigned width)
-        : record_(record),
-          begin_(hn::Set(d_, static_cast<int32_t>(begin))),
-          width_(hn::Set(d_, static_cast<int32_t>(width))),
-          mask_(hn::Set(d_, static_cast<int32_t>((1U << width) - 1))) {}
+        : record_(record), begin_(begin), width_(width) {}
 
-    [[nodiscard]] ClusterVector of(ClusterVector vertex) const {
-        const hn::RebindToUnsigned<ClusterLanes> du;
-        const auto bit = hn::Add(begin_, hn::Mul(vertex, width_));
-        const auto words =
-            hn::GatherOffset(d_, reinterpret_cast<const int32_t*>(record_), hn::ShiftRight<3>(bit));
-        const auto shift = hn::BitCast(du, hn::And(bit, hn::Set(d_, 7)));
-        return hn::And(hn::BitCast(d_, hn::Shr(hn::BitCast(du, words), shift)), mask_);
+    // From vertex `first` on.
+    [[nodiscard]] ClusterVector from(uint32_t first) const {
+        const uint32_t at = begin_ + first * width_;
+        if constexpr (HWY_TARGET == HWY_SCALAR) {
+            return hn::Set(d_, static_cast<int32_t>(clusterBits(record_, at, width_)));
+        } else {
+            const hn::RebindToUnsigned<ClusterLanes> du;
+            const auto words = hn::LoadU(du, reinterpret_cast<const uint32_t*>(record_ + at / 8));
+            const auto bit = hn::Add(hn::Mul(hn::Iota(d_, 0), hn::Set(d_, static_cast<int32_t>(width_))),
+                                     hn::Set(d_, static_cast<int32_t>(at % 8)));
+            const auto word = hn::ShiftRight<5>(bit);
+            const auto last = hn::Set(d_, static_cast<int32_t>(hn::Lanes(d_)) - 1);
+            const auto next = hn::Min(hn::Add(word, hn::Set(d_, 1)), last);
+            const auto low = hn::TableLookupLanes(words, hn::IndicesFromVec(du, word));
+            const auto high = hn::TableLookupLanes(words, hn::IndicesFromVec(du, next));
+            const auto shift = hn::BitCast(du, hn::And(bit, hn::Set(d_, 31)));
+            const auto above = hn::Shl(hn::ShiftLeft<1>(high), hn::Sub(hn::Set(du, 31), shift));
+            const auto mask = hn::Set(du, (1U << width_) - 1);
+            return hn::BitCast(d_, hn::And(hn::Or(hn::Shr(low, shift), above), mask));
+        }
     }
 
   private:
     static constexpr ClusterLanes d_{};
     const uint8_t* record_;
-    ClusterVector begin_;
-    ClusterVector width_;
-    ClusterVector mask_;
+    uint32_t begin_;
+    unsigned width_;
 };
 
 void decodeClusterVertices(const uint8_t* record, const ClusterHeader& head, const ClusterParts& parts,
@@ -54,15 +64,14 @@ void decodeClusterVertices(const uint8_t* record, const ClusterHeader& head, con
         hn::Store(hn::And(sum, hn::Set(d, latticeLimit - 1)), d, &out.vertices[k][v]);
     };
     for (uint32_t v = 0; v < head.vertices; v += lanes) {
-        const auto vertex = hn::Iota(d, static_cast<int32_t>(v));
-        const auto oa = first.of(vertex);
-        const auto ob = second.of(vertex);
+        const auto oa = first.from(v);
+        const auto ob = second.from(v);
         const auto slopes =
             hn::Add(hn::Mul(oa, hn::Set(d, head.slope[0])), hn::Mul(ob, hn::Set(d, head.slope[1])));
         const auto tilt = hn::ShiftRight<5>(hn::Add(slopes, hn::Set(d, 16)));
         put(a, v, oa);
         put(b, v, ob);
-        put(head.tilted, v, hn::Add(tilted.of(vertex), tilt));
+        put(head.tilted, v, hn::Add(tilted.from(v), tilt));
     }
 }
 
@@ -75,41 +84,53 @@ namespace {
 
 HWY_EXPORT(decodeClusterVertices);
 
+// `a` where `bit` is 1, `b` where it is 0: without a branch, as none could be foretold.
+constexpr uint32_t chosen(uint32_t bit, uint32_t a, uint32_t b) {
+    return b ^ ((a ^ b) & (0 - bit));
+}
+
 // All indices, one after another.
 void expandIndices(const uint8_t* record, const ClusterHeader& head, const ClusterParts& parts,
                    uint8_t* indices) {
     const unsigned width = head.indexWidth();
-    const uint64_t mask = (uint64_t{1} << width) - 1;
+    const uint32_t mask = (1U << width) - 1;
     uint32_t known = parts.known;
     uint32_t fresh = 0;
     for (uint32_t i = 0; i < head.indices(); ++i) {
-        const auto isFresh =
-            static_cast<uint32_t>(record[(parts.fresh + i) / 8] >> (parts.fresh + i) % 8 & 1);
-        const auto index = static_cast<uint32_t>(loadLe<uint64_t>(record + known / 8) >> known % 8 & mask);
-        indices[i] = static_cast<uint8_t>(isFresh != 0 ? fresh : index);
+        const uint32_t flag = parts.fresh + i;
+        const uint32_t isFresh = record[flag / 8] >> flag % 8 & 1;
+        const uint32_t index = loadLe<uint16_t>(record + known / 8) >> known % 8 & mask;
+        indices[i] = static_cast<uint8_t>(chosen(isFresh, fresh, index));
         fresh += isFresh;
-        known += isFresh != 0 ? 0 : width;
+        known += width & (isFresh - 1);
     }
 }
 
-// Keeps the top of the stack in two variables' place: both edges are written, the stack moves by the bits.
+// Edges in one number, from + to * 256. The edge that comes next is kept out of the stack.
 void placeTriangles(uint64_t right, uint64_t left, const uint8_t* indices, ClusterTriangles& out) {
-    std::array<std::array<uint8_t, 2>, maxClusterTriangles + 3> stack;
-    size_t stacked = 0;
-    for (uint32_t t = 0; t < out.triangleCount; ++t) {
-        if (stacked == 0) {
-            stack[stacked++] = {indices[0], indices[1]};
+    std::array<uint32_t, maxClusterTriangles + 2> stack;  // the lowest stays unused
+    stack[0] = 0;
+    uint32_t stacked = 0;
+    uint32_t next = 0;
+    bool isRoot = true;
+    for (uint32_t t = 0; t < out.triangleCount; ++t, right >>= 1, left >>= 1) {
+        if (isRoot) {
+            next = indices[0] | uint32_t{indices[1]} << 8;
             indices += 2;
         }
-        const auto [c0, c1] = stack[--stacked];
-        const uint8_t c2 = *indices++;
-        out.corners[0][t] = c0;
-        out.corners[1][t] = c1;
-        out.corners[2][t] = c2;
-        stack[stacked] = {c0, c2};
-        stacked += left >> t & 1;
-        stack[stacked] = {c2, c1};
-        stacked += right >> t & 1;
+        const uint32_t c2 = *indices++;
+        out.corners[0][t] = static_cast<uint8_t>(next);
+        out.corners[1][t] = static_cast<uint8_t>(next >> 8);
+        out.corners[2][t] = static_cast<uint8_t>(c2);
+        const auto goesRight = static_cast<uint32_t>(right & 1);
+        const auto goesLeft = static_cast<uint32_t>(left & 1);
+        const uint32_t leftEdge = (next & 0xff) | c2 << 8;
+        const uint32_t rightEdge = c2 | (next & 0xff00);
+        const uint32_t popped = stack[stacked];
+        stack[stacked + 1] = leftEdge;
+        next = chosen(goesRight, rightEdge, chosen(goesLeft, leftEdge, popped));
+        isRoot = (goesRight | goesLeft | stacked) == 0;
+        stacked = stacked + goesRight + goesLeft - (isRoot ? 0 : 1);
     }
 }
 

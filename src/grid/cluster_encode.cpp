@@ -1,12 +1,10 @@
 #include "filigree/core/bits.h"
 
 #include "grid/cluster_layout.h"
+#include "grid/cluster_tilt.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
-#include <optional>
 
 namespace filigree::grid {
 namespace {
@@ -19,20 +17,39 @@ struct LocalMesh {
     std::vector<LocalTriangle> triangles;
 };
 
-uint8_t localVertex(const LatticePoint& point, std::vector<LatticePoint>& points) {
-    const auto found = std::ranges::find(points, point);
-    const auto index = static_cast<uint8_t>(found - points.begin());
-    if (found == points.end()) points.push_back(point);
-    return index;
-}
+// Numbers points as they come up.
+class PointNumbers {
+  public:
+    PointNumbers() { slots_.fill(0xff); }
+
+    uint8_t numberOf(const LatticePoint& point, std::vector<LatticePoint>& points) {
+        size_t at = hashOf(point) % slots_.size();
+        while (slots_[at] != 0xff && points[slots_[at]] != point) at = (at + 1) % slots_.size();
+        if (slots_[at] == 0xff) {
+            slots_[at] = static_cast<uint8_t>(points.size());
+            points.push_back(point);
+        }
+        return slots_[at];
+    }
+
+  private:
+    static size_t hashOf(const LatticePoint& point) {
+        uint64_t hash = 0;
+        for (const int32_t x : point) hash = (hash + static_cast<uint32_t>(x)) * 0x9e3779b97f4a7c15;
+        return hash >> 40;
+    }
+
+    std::array<uint8_t, 512> slots_;  // 0xff: free; there are at most maxClusterVertices points
+};
 
 LocalMesh localMesh(const GridMesh& mesh, uint32_t first, uint32_t count, const Lattice& lattice) {
     LocalMesh local;
+    PointNumbers numbers;
     for (uint32_t t = first; t < first + count; ++t) {
         LocalTriangle triangle{};
         for (size_t k = 0; k < 3; ++k) {
             const Vec3& position = mesh.looseVertices[mesh.looseTriangles[t][k]];
-            triangle[k] = localVertex(lattice.pointAt(position), local.points);
+            triangle[k] = numbers.numberOf(lattice.pointAt(position), local.points);
         }
         local.triangles.push_back(triangle);
     }
@@ -99,136 +116,15 @@ IndexStream indexStream(std::span<const LocalTriangle> triangles, const Tree& tr
     return stream;
 }
 
-// The lowest value and the width of what lies above it.
-struct OffsetRange {
-    int32_t low = 0;
-    unsigned width = 0;
-};
-
-template <class ValueOf>
-OffsetRange rangeOf(std::span<const LatticePoint> points, const ValueOf& valueOf) {
-    int32_t low = std::numeric_limits<int32_t>::max();
-    int32_t high = std::numeric_limits<int32_t>::min();
-    for (const LatticePoint& p : points) {
-        const int32_t value = valueOf(p);
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    return {low, static_cast<unsigned>(std::bit_width(static_cast<uint32_t>(high - low)))};
-}
-
-struct Tilt {
-    unsigned axis = 0;
-    std::array<int, 2> slope{};
-    OffsetRange range;
-};
-
-// Looks for the slopes that leave the least of one axis: from those of the plane through the points on,
-// stepwise.
-class TiltSearch {
-  public:
-    TiltSearch(std::span<const LatticePoint> points, const std::array<OffsetRange, 3>& ranges)
-        : points_(points), ranges_(ranges) {}
-
-    Tilt find() {
-        Tilt best = along(0, {0, 0});
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            const Tilt level = along(axis, {0, 0});
-            const Tilt tilt = improved(along(axis, planeSlopes(axis)));
-            const auto gain = [](const Tilt& from, const Tilt& to) {
-                return static_cast<int>(from.range.width) - static_cast<int>(to.range.width);
-            };
-            if (tilt.range.width <= widestOffset && gain(level, tilt) > bestGain_) {
-                bestGain_ = gain(level, tilt);
-                best = tilt;
-            }
-        }
-        return best;
-    }
-
-  private:
-    [[nodiscard]] Tilt along(unsigned axis, const std::array<int, 2>& slope) const {
-        const auto [a, b] = levelAxes(axis);
-        return {axis, slope, rangeOf(points_, [&, a = a, b = b](const LatticePoint& p) {
-                    return p[axis] - tiltOf(slope, p[a] - ranges_[a].low, p[b] - ranges_[b].low);
-                })};
-    }
-
-    // The least squares' plane through the points, in 1/32.
-    [[nodiscard]] std::array<int, 2> planeSlopes(unsigned axis) const {
-        const auto [a, b] = levelAxes(axis);
-        std::array<double, 3> mean{};
-        for (const LatticePoint& p : points_) {
-            for (size_t k = 0; k < 3; ++k) mean[k] += p[k] / static_cast<double>(points_.size());
-        }
-        double aa = 0, ab = 0, bb = 0, ah = 0, bh = 0;
-        for (const LatticePoint& p : points_) {
-            const double x = p[a] - mean[a];
-            const double y = p[b] - mean[b];
-            const double h = p[axis] - mean[axis];
-            aa += x * x;
-            ab += x * y;
-            bb += y * y;
-            ah += x * h;
-            bh += y * h;
-        }
-        const double determinant = aa * bb - ab * ab;
-        if (!(determinant > 1e-9 * aa * bb)) return {slopeOf(ah, aa), 0};
-        return {slopeOf(ah * bb - bh * ab, determinant), slopeOf(bh * aa - ah * ab, determinant)};
-    }
-
-    static int slopeOf(double above, double below) {
-        if (!(below > 0)) return 0;
-        return static_cast<int>(
-            std::clamp(std::round(32 * above / below), double{leastSlope}, double{mostSlope}));
-    }
-
-    // The spread of what is left, finer than its width.
-    [[nodiscard]] int32_t spread(const Tilt& tilt) const {
-        const auto [a, b] = levelAxes(tilt.axis);
-        int32_t high = std::numeric_limits<int32_t>::min();
-        for (const LatticePoint& p : points_) {
-            high = std::max(high,
-                            p[tilt.axis] - tiltOf(tilt.slope, p[a] - ranges_[a].low, p[b] - ranges_[b].low));
-        }
-        return high - tilt.range.low;
-    }
-
-    [[nodiscard]] Tilt improved(Tilt tilt) const {
-        int32_t least = spread(tilt);
-        for (bool better = true; better;) {
-            better = false;
-            for (size_t k = 0; k < 2; ++k) {
-                for (const int step : {-1, 1}) {
-                    std::array<int, 2> slope = tilt.slope;
-                    slope[k] = std::clamp(slope[k] + step, leastSlope, mostSlope);
-                    const Tilt next = along(tilt.axis, slope);
-                    if (spread(next) >= least) continue;
-                    least = spread(next);
-                    tilt = next;
-                    better = true;
-                }
-            }
-        }
-        return tilt;
-    }
-
-    std::span<const LatticePoint> points_;
-    const std::array<OffsetRange, 3>& ranges_;
-    int bestGain_ = 0;
-};
-
 ClusterHeader headerOf(const LocalMesh& local, const Tree& tree, uint32_t first) {
-    std::array<OffsetRange, 3> ranges{};
-    for (unsigned axis = 0; axis < 3; ++axis)
-        ranges[axis] = rangeOf(local.points, [&](const LatticePoint& p) { return p[axis]; });
-    const Tilt tilt = TiltSearch(local.points, ranges).find();
+    std::array<OffsetRange, 3> ranges = rangesOf(local.points);
+    const Tilt tilt = findTilt(local.points, ranges);
     ranges[tilt.axis] = tilt.range;
     ClusterHeader head;
     head.firstTriangle = first;
     for (size_t axis = 0; axis < 3; ++axis) {
         head.origin[axis] = static_cast<uint32_t>(ranges[axis].low) % latticeLimit;
-        head.width[axis] = ranges[axis].width;
+        head.width[axis] = ranges[axis].width();
     }
     head.tilted = tilt.axis;
     head.slope = tilt.slope;
@@ -251,7 +147,7 @@ void appendOffsets(std::span<const LatticePoint> points, const ClusterHeader& he
                 value -= static_cast<uint32_t>(tiltOf(head.slope, static_cast<int32_t>(offset(p, a)),
                                                       static_cast<int32_t>(offset(p, b))));
             value %= latticeLimit;
-            assert(std::bit_width(value) <= head.width[axis]);
+            assert(static_cast<unsigned>(std::bit_width(value)) <= head.width[axis]);
             bits.append(value, head.width[axis]);
         }
     }

@@ -6,6 +6,7 @@
 #include "grid/buckets.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,14 @@ namespace {
 
 constexpr uint32_t noTriangle = 0xffffffff;
 constexpr size_t mostLookedAt = 256;  // entries of one list, so that no list is walked again and again
+
+// To 2e-4; the same on every machine, as std::log2 need not be. `x` is positive.
+float roughLog2(float x) {
+    const auto bits = std::bit_cast<uint32_t>(x);
+    const auto exponent = static_cast<float>(static_cast<int32_t>(bits >> 23) - 127);
+    const float f = std::bit_cast<float>((bits & 0x007fffff) | 0x3f800000) - 1;
+    return exponent + f * (1.439909F + f * (-0.683446F + f * (0.329319F - f * 0.085783F)));
+}
 
 // The triangles of the part over vertices of its own.
 struct PartMesh {
@@ -63,7 +72,12 @@ class ClusterGrowth {
           taken_(part.triangles.size()),
           frontierMark_(part.triangles.size()),
           vertexMark_(part.positions.size()),
-          usualSize_(usualSize(part)) {}
+          usualSize_(std::max(usualSize(part), std::numeric_limits<float>::min())) {
+        for (const auto& [a, b, c] : part.triangles) {
+            const Vec3 sum = plus(plus(part.positions[a], part.positions[b]), part.positions[c]);
+            middles_.push_back(times(sum, 1.0F / 3));
+        }
+    }
 
     std::vector<ClusterMembers> grow() {
         std::vector<ClusterMembers> clusters;
@@ -81,6 +95,7 @@ class ClusterGrowth {
         frontier_.clear();
         vertices_ = 0;
         box_ = {};
+        sum_ = {};
         for (uint32_t next = seed; next != noTriangle; next = bestNext()) {
             add(next);
             if (members_.size() == maxClusterTriangles) return;
@@ -95,6 +110,7 @@ class ClusterGrowth {
     void add(uint32_t triangle) {
         taken_[triangle] = true;
         members_.push_back(triangle);
+        sum_ = plus(sum_, middles_[triangle]);
         for (const uint32_t v : part_.triangles[triangle]) {
             if (vertexMark_[v] == epoch_) continue;
             vertexMark_[v] = epoch_;
@@ -114,7 +130,7 @@ class ClusterGrowth {
         }
     }
 
-    // The bits of all offsets if `triangle` came in.
+    // About the bits of all offsets if `triangle` came in.
     [[nodiscard]] float bitsWith(uint32_t triangle) const {
         Box box = box_;
         uint32_t vertices = vertices_;
@@ -127,15 +143,16 @@ class ClusterGrowth {
     }
     [[nodiscard]] float widthOf(const Box& box) const {
         const Vec3 across = times(minus(box.high, box.low), finest_);
-        return std::log2((across[0] + 1) * (across[1] + 1) * (across[2] + 1));
+        return 3 * roughLog2(across[0] + across[1] + across[2] + 1);
     }
 
     uint32_t leastBits() {
+        constexpr float roundness = 100;  // bits: short borders share more vertices
         std::erase_if(frontier_, [&](uint32_t t) { return taken_[t]; });
         uint32_t best = noTriangle;
         float least = std::numeric_limits<float>::infinity();
         for (const uint32_t t : frontier_) {
-            const float bits = bitsWith(t);
+            const float bits = bitsWith(t) + roundness * distance(t);
             if (bits < least || (bits == least && t < best)) {
                 least = bits;
                 best = t;
@@ -144,9 +161,15 @@ class ClusterGrowth {
         return best;
     }
 
+    // Of the triangle's middle from that of the cluster, as a share of the usual size.
+    [[nodiscard]] float distance(uint32_t triangle) const {
+        const Vec3 off = minus(middles_[triangle], times(sum_, 1 / static_cast<float>(members_.size())));
+        return std::sqrt(dot(off, off)) / usualSize_;
+    }
+
     // Of the triangles next in order to `from` the one that costs least, if it costs little enough.
     uint32_t nearbyTriangle(uint32_t from) {
-        constexpr float recordBits = 320;
+        constexpr float recordBits = 60;
         const float free = static_cast<float>(maxClusterTriangles - members_.size()) / maxClusterTriangles;
         const float now = static_cast<float>(vertices_) * widthOf(box_);
         const float newVertices = 3 * widthOf(box_);
@@ -203,6 +226,7 @@ class ClusterGrowth {
     const PartMesh& part_;
     float finest_;
     Buckets corners_;  // of each vertex
+    std::vector<Vec3> middles_;
     std::vector<bool> taken_;
     std::vector<uint32_t> frontierMark_;  // the last cluster that had it there
     std::vector<uint32_t> vertexMark_;    // the last cluster that holds it
@@ -213,6 +237,7 @@ class ClusterGrowth {
     std::vector<uint32_t> frontier_;
     uint32_t vertices_ = 0;
     Box box_;
+    Vec3 sum_{};  // of the members' middles
 };
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST(Cluster, LooseOnesAreGatheredIntoFewClusters) {
             mesh.positions.push_back(plus(at, times({coordinate(random), coordinate(random), 0}, 0.1F)));
         mesh.faces.push_back({3 * k, 3 * k + 1, 3 * k + 2, noVertex});
     }
-    EXPECT_LT(expectClusters(mesh, latticeOf(1e-4)).size(), 40U);
+    EXPECT_LT(expectClusters(mesh, latticeOf(1e-4)).size(), 80U);  // not 640
 }
 
 TEST(Cluster, AnyTrianglesInAnyOrder) {
