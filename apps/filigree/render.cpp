@@ -101,6 +101,12 @@ std::string comparison(const jobs::RenderSummary& s) {
     return text + fmt::format("the picture differs: PSNR {:.2f} dB", s.triptych->psnr);
 }
 
+std::string gridsText(const jobs::RenderedGrids& grids) {
+    return fmt::format("{}, {} triangles in {}: {:.3f} bytes each", grids.codec,
+                       report::formatCount(grids.triangles), bytesText(grids.bytes),
+                       static_cast<double>(grids.bytes) / static_cast<double>(grids.triangles));
+}
+
 void printRendered(const jobs::RenderSummary& s) {
     std::string method = s.method;
     if (s.states) method += fmt::format(", {} states", *s.states);
@@ -111,6 +117,7 @@ void printRendered(const jobs::RenderSummary& s) {
         {"rays", fmt::format("{:.2f} million a second, {} in {:.2f} s", s.mraysPerSecond(),
                              report::formatCount(s.counters.total().rays), s.seconds)}};
     if (s.triptych) lines.emplace_back("saved", comparison(s));
+    if (s.grids) lines.emplace_back("grids", gridsText(*s.grids));
     lines.emplace_back(
         "bytes", fmt::format("opacity {}, alpha textures {}, geometry {}, BVH {}", bytesText(s.opacityBytes),
                              bytesText(s.textureBytes), bytesText(s.geometryBytes), bytesText(s.bvhBytes)));
@@ -129,7 +136,12 @@ void addRender(CLI::App& app, Commands& commands) {
                     "filigree render forest.glb -o forest.png --method sdag --triptych tests.png");
     const auto options = std::make_shared<jobs::RenderOptions>();
     auto& verb = command.options();
-    verb.add_option("input", options->input, "The scene")->required()->type_name("IN");
+    verb.add_option("input", options->input, "The scene, or compressed grids (.fil)")
+        ->required()
+        ->type_name("IN");
+    verb.add_option("--scene", options->scene,
+                    "Masked and blended triangles of this scene stand among the grids")
+        ->type_name("FILE");
     verb.add_option("-o,--output", options->output, "The picture (.png)")->required()->type_name("OUT");
     addMethod(verb, *options);
     addPicture(verb, *options);

@@ -1,6 +1,8 @@
 #include "filigree/jobs/render.h"
 
 #include "filigree/core/file.h"
+#include "filigree/grid/encode_grids.h"
+#include "filigree/io/fil_grids.h"
 #include "filigree/io/gltf.h"
 #include "filigree/io/image_file.h"
 #include "filigree/trace/render.h"
@@ -15,6 +17,7 @@
 #include "jobs/stopwatch.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +70,7 @@ class Rendering {
     }
 
     Result<RenderSummary> run() {
+        if (auto read = readGrids(); !read) return read.error();
         if (auto read = readScene(); !read) return read.error();
         if (auto built = buildWorld(); !built) return built.error();
         auto opacity = prepareOpacity();
@@ -83,8 +87,27 @@ class Rendering {
     // The file's maps serve where they are what was asked for.
     [[nodiscard]] bool takesCarriedMaps() const { return hasLevels(method_) && !options_.levelGiven; }
 
+    // The file with triangles for Embree; empty: there are only grids.
+    [[nodiscard]] const std::filesystem::path& sceneFile() const {
+        return grids_ ? options_.scene : options_.input;
+    }
+
+    Status readGrids() {
+        if (!io::isFil(options_.input)) {
+            if (options_.scene.empty()) return {};
+            return Error{ErrorKind::usage, "--scene: goes with the grids of a .fil"};
+        }
+        auto grids = io::readFilGrids(options_.input, executor_);
+        if (!grids) return grids.error();
+        grids_ = std::make_unique<io::FilGrids>(std::move(*grids));
+        summary_.grids = RenderedGrids{std::string(nameOf(grids_->grids.codec)), grids_->triangleCount(),
+                                       grid::bytesOf(grids_->grids).total()};
+        return {};
+    }
+
     Status readScene() {
-        const auto document = io::GltfDocument::load(options_.input);
+        if (sceneFile().empty()) return {};
+        const auto document = io::GltfDocument::load(sceneFile());
         if (!document) return document.error();
         io::ReadOptions reading;
         reading.blendAlpha = true;
@@ -97,8 +120,22 @@ class Rendering {
         return {};
     }
 
+    [[nodiscard]] trace::GridPart gridPart() const {
+        trace::GridPart part;
+        part.grids = &grids_->grids;
+        part.table = grids_->table;
+        part.triangles = grids_->triangleCount();
+        part.attributes = &grids_->attributes;
+        return part;
+    }
+
     Status buildWorld() {
-        auto world = trace::World::build(scene_, {});
+        trace::WorldOptions building;
+        if (grids_) {
+            building.opaque = false;
+            building.grids = gridPart();
+        }
+        auto world = trace::World::build(scene_, building);
         if (!world) return world.error().within(options_.input.string());
         world_.emplace(std::move(*world));
         addNotes(world_->notes());
@@ -257,8 +294,9 @@ class Rendering {
     const Stopwatch total_;
     trace::RenderSettings settings_;
     unsigned states_ = 4;
+    std::unique_ptr<io::FilGrids> grids_;  // null: none
     scene::Scene scene_;
-    std::optional<trace::World> world_;  // of scene_
+    std::optional<trace::World> world_;  // of both
     SceneMaps maps_;
     RenderSummary summary_;
 };
@@ -311,6 +349,13 @@ std::string toJson(const RenderSummary& s) {
                      {"textures", s.textureBytes},
                      {"geometry", s.geometryBytes},
                      {"bvh", s.bvhBytes}};
+    if (s.grids) {
+        json["grids"] = {{"codec", s.grids->codec},
+                         {"triangles", s.grids->triangles},
+                         {"bytes", s.grids->bytes},
+                         {"bytes_per_triangle",
+                          static_cast<double>(s.grids->bytes) / static_cast<double>(s.grids->triangles)}};
+    }
     json["image_sha256"] = s.imageSha256;
     json["ray_kinds"] = Json::object();
     for (size_t k = 0; k < trace::rayKindCount; ++k) {

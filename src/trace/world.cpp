@@ -79,7 +79,7 @@ class Builder {
         SceneOwner owner(rtcNewScene(to_.device.get()));
         rtcSetSceneFlags(owner.get(), RTC_SCENE_FLAG_ROBUST);
         for (const auto& primitive : mesh.primitives) {
-            if (primitive.triangleCount() == 0) continue;
+            if (primitive.triangleCount() == 0 || !isWanted(primitive)) continue;
             addSurface(primitive, owner.get());
             for (const auto& position : primitive.positions) {
                 if (isFinite(position)) boxes_[number].extend(position);
@@ -88,6 +88,18 @@ class Builder {
         }
         if (triangles_[number] > 0) rtcCommitScene(owner.get());
         to_.meshes.push_back(std::move(owner));
+    }
+
+    [[nodiscard]] bool isWanted(const scene::Primitive& primitive) const {
+        if (options_.opaque) return true;
+        return primitive.material >= 0 &&
+               alphaKind(scene_.materials[static_cast<size_t>(primitive.material)]) != AlphaKind::opaque;
+    }
+
+    [[nodiscard]] AlphaKind alphaKind(const scene::Material& material) const {
+        if (material.alphaMode == scene::AlphaMode::mask) return AlphaKind::mask;
+        if (material.alphaMode == scene::AlphaMode::blend && options_.blend) return AlphaKind::blend;
+        return AlphaKind::opaque;
     }
 
     void addSurface(const scene::Primitive& primitive, RTCScene scene) {
@@ -135,8 +147,7 @@ class Builder {
         surface.material = &material;
         surface.cutoff = material.cutoff;
         surface.factor = material.baseColourFactor[3];
-        if (material.alphaMode == scene::AlphaMode::mask) surface.kind = AlphaKind::mask;
-        if (material.alphaMode == scene::AlphaMode::blend && options_.blend) surface.kind = AlphaKind::blend;
+        surface.kind = alphaKind(material);
         if (material.image < 0) return;
         const scene::Image& image = scene_.images[static_cast<size_t>(material.image)];
         const bool hasCoordinates = !surface.primitive->uvs.empty();

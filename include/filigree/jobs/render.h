@@ -31,8 +31,10 @@ using CameraChoice = std::variant<std::monostate, unsigned, OwnCamera>;
 enum class HeatmapOf : uint8_t { tests, bits };
 
 struct RenderOptions {
-    std::filesystem::path input;   // .glb or .gltf
+    std::filesystem::path input;   // .glb or .gltf, or the grids of a .fil
     std::filesystem::path output;  // .png
+    // .glb or .gltf whose masked and blended triangles stand among the grids; empty: none.
+    std::filesystem::path scene;
     std::string method = "micromap";
     unsigned states = 4;            // 4: unknown states fetch the texture; 2: their side decides
     std::optional<unsigned> level;  // of a bake; none: the highest useful one per triangle, at most 8
@@ -62,6 +64,13 @@ struct TriptychSummary {
     double psnr = 0;  // dB over the channels of the 8-bit sRGB pictures; infinite where identical
 };
 
+// Of a picture with compressed grids.
+struct RenderedGrids {
+    std::string codec;
+    uint64_t triangles = 0;
+    uint64_t bytes = 0;  // all that is resident: records, hierarchy, clusters
+};
+
 struct RenderSummary {
     std::string method;
     std::optional<unsigned> states;  // none where the method has none
@@ -82,6 +91,7 @@ struct RenderSummary {
     double seconds = 0;             // of tracing alone; counting bits takes up to a tenth of it
     double totalSeconds = 0;
     std::optional<TriptychSummary> triptych;
+    std::optional<RenderedGrids> grids;
     std::vector<std::string> notes;
 
     [[nodiscard]] double mraysPerSecond() const;

@@ -20,6 +20,8 @@ struct WorldOptions {
     // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8
     // bits; otherwise a copy of the alpha alone.
     bool alphaAmongColours = false;
+    // False: opaque surfaces are left out, because grids stand for them.
+    bool opaque = true;
     GridPart grids{};  // beside the scene's meshes
 };
 
