@@ -1,0 +1,189 @@
+// Sixteen lanes on any instruction set: included once for each SIMD target.
+#if defined(FILIGREE_GRID_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef FILIGREE_GRID_LANES_INL_H_
+#undef FILIGREE_GRID_LANES_INL_H_
+#else
+#define FILIGREE_GRID_LANES_INL_H_
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace filigree::grid::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// As many vectors as hold sixteen lanes. They fall into four blocks of four lanes.
+template <class T>
+struct Lanes16 {
+    using Tag = hn::CappedTag<T, 16>;
+    using Vector = hn::VFromD<Tag>;
+    static constexpr size_t partLanes = hn::MaxLanes(Tag());
+    static constexpr size_t partCount = 16 / partLanes;
+
+    Vector parts[partCount];
+};
+using F16 = Lanes16<float>;
+using I16 = Lanes16<int32_t>;
+
+template <class R, class Op, class... V>
+HWY_INLINE R perPart(const Op& op, const V&... values) {
+    R result;
+    for (size_t k = 0; k < R::partCount; ++k) result.parts[k] = op(values.parts[k]...);
+    return result;
+}
+
+template <class T>
+HWY_INLINE Lanes16<T> all(T value) {
+    Lanes16<T> result;
+    for (auto& part : result.parts) part = hn::Set(typename Lanes16<T>::Tag(), value);
+    return result;
+}
+template <class T>
+HWY_INLINE Lanes16<T> load(const T* from) {
+    Lanes16<T> result;
+    for (size_t k = 0; k < Lanes16<T>::partCount; ++k)
+        result.parts[k] = hn::LoadU(typename Lanes16<T>::Tag(), from + k * Lanes16<T>::partLanes);
+    return result;
+}
+// The four values in every block.
+template <class T>
+HWY_INLINE Lanes16<T> loadBlocks(const T* from) {
+    Lanes16<T> result;
+    for (size_t k = 0; k < Lanes16<T>::partCount; ++k) {
+        const typename Lanes16<T>::Tag d;
+        if constexpr (Lanes16<T>::partLanes == 1)
+            result.parts[k] = hn::LoadU(d, from + k % 4);
+        else
+            result.parts[k] = hn::LoadDup128(d, from);
+    }
+    return result;
+}
+template <class T>
+HWY_INLINE void store(const Lanes16<T>& values, T* to) {
+    for (size_t k = 0; k < Lanes16<T>::partCount; ++k)
+        hn::StoreU(values.parts[k], typename Lanes16<T>::Tag(), to + k * Lanes16<T>::partLanes);
+}
+
+template <class T>
+HWY_INLINE Lanes16<T> operator+(const Lanes16<T>& a, const Lanes16<T>& b) {
+    return perPart<Lanes16<T>>([](auto x, auto y) { return hn::Add(x, y); }, a, b);
+}
+template <class T>
+HWY_INLINE Lanes16<T> operator-(const Lanes16<T>& a, const Lanes16<T>& b) {
+    return perPart<Lanes16<T>>([](auto x, auto y) { return hn::Sub(x, y); }, a, b);
+}
+template <class T>
+HWY_INLINE Lanes16<T> operator*(const Lanes16<T>& a, const Lanes16<T>& b) {
+    return perPart<Lanes16<T>>([](auto x, auto y) { return hn::Mul(x, y); }, a, b);
+}
+HWY_INLINE I16 operator&(const I16& a, const I16& b) {
+    return perPart<I16>([](auto x, auto y) { return hn::And(x, y); }, a, b);
+}
+HWY_INLINE I16 operator|(const I16& a, const I16& b) {
+    return perPart<I16>([](auto x, auto y) { return hn::Or(x, y); }, a, b);
+}
+template <class T>
+HWY_INLINE Lanes16<T> least(const Lanes16<T>& a, const Lanes16<T>& b) {
+    return perPart<Lanes16<T>>([](auto x, auto y) { return hn::Min(x, y); }, a, b);
+}
+template <class T>
+HWY_INLINE Lanes16<T> greatest(const Lanes16<T>& a, const Lanes16<T>& b) {
+    return perPart<Lanes16<T>>([](auto x, auto y) { return hn::Max(x, y); }, a, b);
+}
+template <int bits>
+HWY_INLINE I16 shiftRight(const I16& a) {
+    return perPart<I16>([](auto x) { return hn::ShiftRight<bits>(x); }, a);
+}
+template <int bits>
+HWY_INLINE I16 shiftLeft(const I16& a) {
+    return perPart<I16>([](auto x) { return hn::ShiftLeft<bits>(x); }, a);
+}
+// Of non-negative bits by 0 to 31, no sign coming in.
+HWY_INLINE I16 shiftRightBy(const I16& a, const I16& bits) {
+    const hn::RebindToUnsigned<I16::Tag> du;
+    const I16::Tag di;
+    return perPart<I16>(
+        [&](auto x, auto y) { return hn::BitCast(di, hn::Shr(hn::BitCast(du, x), hn::BitCast(du, y))); }, a,
+        bits);
+}
+HWY_INLINE I16 shiftLeftBy(const I16& a, const I16& bits) {
+    return perPart<I16>([](auto x, auto y) { return hn::Shl(x, y); }, a, bits);
+}
+HWY_INLINE F16 toFloat(const I16& a) {
+    return perPart<F16>([](auto x) { return hn::ConvertTo(F16::Tag(), x); }, a);
+}
+// Bit k: lane k.
+template <class Test>
+HWY_INLINE uint32_t bitsWhere(const F16& a, const F16& b, const Test& test) {
+    uint32_t bits = 0;
+    for (size_t k = 0; k < F16::partCount; ++k) {
+        std::array<uint8_t, 8> bytes{};
+        hn::StoreMaskBits(F16::Tag(), test(a.parts[k], b.parts[k]), bytes.data());
+        uint32_t part = bytes[0];
+        if constexpr (F16::partLanes > 8) part |= uint32_t{bytes[1]} << 8;
+        bits |= part << (k * F16::partLanes);
+    }
+    return bits;
+}
+HWY_INLINE uint32_t bitsNotAbove(const F16& a, const F16& b) {
+    return bitsWhere(a, b, [](auto x, auto y) { return hn::Le(x, y); });
+}
+
+// In each block, lanes a, b, c, d of that block.
+template <int a, int b, int c, int d>
+HWY_INLINE I16 turned(const I16& values) {
+#if HWY_TARGET == HWY_SCALAR
+    constexpr std::array<size_t, 4> from{a, b, c, d};
+    I16 result;
+    for (size_t k = 0; k < 16; ++k) result.parts[k] = values.parts[k / 4 * 4 + from[k % 4]];
+    return result;
+#else
+    alignas(16) static constexpr std::array<uint8_t, 16> bytes{
+        4 * a, 4 * a + 1, 4 * a + 2, 4 * a + 3, 4 * b, 4 * b + 1, 4 * b + 2, 4 * b + 3,
+        4 * c, 4 * c + 1, 4 * c + 2, 4 * c + 3, 4 * d, 4 * d + 1, 4 * d + 2, 4 * d + 3};
+    const auto table = hn::LoadDup128(hn::Repartition<uint8_t, I16::Tag>(), bytes.data());
+    return perPart<I16>([&](auto x) { return hn::TableLookupBytes(x, hn::BitCast(I16::Tag(), table)); },
+                        values);
+#endif
+}
+
+// The 4 bytes at base + offsets[lane], at any address.
+HWY_INLINE I16 gather(const uint8_t* base, const I16& offsets) {
+    return perPart<I16>(
+        [&](auto x) { return hn::GatherOffset(I16::Tag(), reinterpret_cast<const int32_t*>(base), x); },
+        offsets);
+}
+
+// Lanes of 0 to 31: a table of two vectors.
+template <class T>
+HWY_INLINE Lanes16<T> pick(const Lanes16<T>& low, const Lanes16<T>& high, const int32_t* lanes) {
+    if constexpr (Lanes16<T>::partLanes == 16) {
+        const typename Lanes16<T>::Tag d;
+        const hn::RebindToSigned<typename Lanes16<T>::Tag> di;
+        const auto at = hn::LoadU(di, lanes);
+        const auto fifteen = hn::Set(di, 15);
+        const auto indices = hn::IndicesFromVec(d, hn::And(at, fifteen));
+        Lanes16<T> result;
+        result.parts[0] = hn::IfThenElse(hn::RebindMask(d, hn::Gt(at, fifteen)),
+                                         hn::TableLookupLanes(high.parts[0], indices),
+                                         hn::TableLookupLanes(low.parts[0], indices));
+        return result;
+    } else {
+        alignas(64) std::array<T, 32> table;
+        store(low, table.data());
+        store(high, table.data() + 16);
+        alignas(64) std::array<T, 16> picked;
+        for (size_t k = 0; k < 16; ++k) picked[k] = table[static_cast<size_t>(lanes[k])];
+        return load(picked.data());
+    }
+}
+
+}  // namespace filigree::grid::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

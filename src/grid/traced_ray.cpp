@@ -1,0 +1,116 @@
+#include "grid/traced_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace filigree::grid {
+namespace {
+
+Box rootBox(const bvh::Node& root) {
+    Box box;
+    for (size_t k = 0; k < bvh::width; ++k) {
+        if (((root.innerMask | root.leafMask()) >> k & 1) != 0) box.extend(root.childBox(k));
+    }
+    return box;
+}
+
+// How far the coordinates that triangles are tested in may be off, and with them which triangle a ray hits
+// that passes between two: four roundings of places and of the shear's product, each 2^-24 of no more than
+// twice the largest coordinate.
+constexpr float slackShare = 8 * 0x1p-24F;
+
+// Rays from further away start near the scene instead: in floats they would be too coarse.
+constexpr double farExtents = 16;
+
+}  // namespace
+
+TracedScene::TracedScene(const EncodedGrids& grids) {
+    if (grids.codec == Codec::lattice) {
+        origin = grids.lattice.origin;
+        step = grids.lattice.step;
+    }
+    const Box box = rootBox(grids.nodes[0]);
+    for (size_t k = 0; k < 3 && !box.empty(); ++k) {
+        centre[k] = (double{box.low[k]} + box.high[k]) / 2;
+        extent = std::max(extent, double{box.high[k]} - box.low[k]);
+        largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
+    }
+}
+
+bool TracedRay::start(const TracedScene& scene, const Ray& ray) {
+    std::array<double, 3> from{};
+    std::array<double, 3> along{};
+    double longest = 0;
+    double distance = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        from[k] = (ray.origin[k] - scene.origin[k]) / scene.step[k];
+        along[k] = ray.direction[k] / scene.step[k];
+        longest = std::max(longest, std::abs(along[k]));
+        distance = std::max(distance, std::abs(from[k] - scene.centre[k]));
+    }
+    const bool isSomewhere = std::isfinite(from[0] + from[1] + from[2]) &&
+                             std::isfinite(along[0] + along[1] + along[2]) && longest > 0;
+    if (!isSomewhere || !(ray.tMin <= ray.tMax)) return false;
+    scale_ = std::ldexp(1.0, std::ilogb(longest));
+    shift_ = 0;
+    for (double& part : along) part /= scale_;
+    if (distance > farExtents * scene.extent) {
+        double dot = 0;
+        double square = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            dot += (scene.centre[k] - from[k]) * along[k];
+            square += along[k] * along[k];
+        }
+        shift_ = dot / square;
+        for (size_t k = 0; k < 3; ++k) from[k] += shift_ * along[k];
+    }
+    float largest = scene.largest;
+    for (size_t k = 0; k < 3; ++k) {
+        origin[k] = static_cast<float>(from[k]);
+        direction[k] = static_cast<float>(along[k]);
+        largest = std::max(largest, std::abs(origin[k]));
+    }
+    // What still passes the scene far away.
+    if (shift_ != 0 && !(largest <= 4 * (scene.largest + farExtents * scene.extent))) return false;
+    tMin = static_cast<float>(ray.tMin * scale_ - shift_);
+    tMax = static_cast<float>(ray.tMax * scale_ - shift_);
+    slack = slackShare * 2 * largest;
+    hit = {};
+    setShear();
+    setPlanes();
+    return true;
+}
+
+bvh::Segment TracedRay::segment() const {
+    return {origin, direction, tMin, tMax, slack};
+}
+
+float TracedRay::worldT(const Ray& ray) const {
+    const auto t = static_cast<float>((tMax + shift_) / scale_);
+    return std::clamp(t, ray.tMin, ray.tMax);
+}
+
+void TracedRay::setShear() {
+    unsigned z = 0;
+    for (unsigned k = 1; k < 3; ++k) {
+        if (std::abs(direction[k]) > std::abs(direction[z])) z = k;
+    }
+    axes = {(z + 1) % 3, (z + 2) % 3, z};
+    scaleZ = 1 / direction[z];
+    shearX = direction[axes[0]] / direction[z];
+    shearY = direction[axes[1]] / direction[z];
+}
+
+// As the walk through the hierarchy does it, but lattice coordinates are exact: what rounds is the
+// difference, the reciprocal and the product.
+void TracedRay::setPlanes() {
+    constexpr float steepest = 0x1p60F;
+    for (size_t k = 0; k < 3; ++k) {
+        const bool isFlat = std::abs(direction[k]) < 1 / steepest;
+        reciprocal[k] = isFlat ? std::copysign(steepest, direction[k]) : 1 / direction[k];
+        boxLow[k] = origin[k] + 2 * slack;
+        boxHigh[k] = origin[k] - 2 * slack;
+    }
+}
+
+}  // namespace filigree::grid
