@@ -26,13 +26,13 @@ bool mirrors(const std::array<float, 16>& m) {
 
 Status appendPositions(const Scene& scene, const Primitive& primitive, const Instance& instance,
                        std::vector<Vec3>& positions) {
-    for (const Vec3& local : primitive.positions) {
-        const Vec3 world = transformed(instance.transform, local);
+    for (size_t v = 0; v < primitive.positions.size(); ++v) {
+        const Vec3 world = transformed(instance.transform, primitive.positions[v]);
         if (!std::isfinite(world[0]) || !std::isfinite(world[1]) || !std::isfinite(world[2])) {
             return Error{
                 ErrorKind::format,
-                fmt::format("mesh {} (\"{}\"), primitive {}: a vertex at ({}, {}, {}), expected finite",
-                            instance.mesh, scene.meshes[instance.mesh].name, primitive.primitiveIndex,
+                fmt::format("mesh {} (\"{}\"), primitive {}: vertex {} is at ({}, {}, {}), expected finite",
+                            instance.mesh, scene.meshes[instance.mesh].name, primitive.primitiveIndex, v,
                             world[0], world[1], world[2])};
         }
         positions.push_back(world);
