@@ -39,7 +39,7 @@ Status checkRanges(const TileHeader& head) {
 }
 
 Status checkReserved(const uint8_t* record) {
-    uint32_t reserved = loadLe<uint32_t>(record + 4) >> 28;
+    uint32_t reserved = loadLe<uint32_t>(record + 4) >> 31;
     for (unsigned k = 5; k < 9; ++k) reserved |= loadLe<uint32_t>(record + size_t{4} * k) >> 30;
     if (reserved != 0) return tileError("a reserved bit of a tile's header is set");
     return {};

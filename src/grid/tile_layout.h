@@ -53,6 +53,7 @@ struct TileHeader {
     unsigned tileRow = 0;     // the same
     TileDiagonals diagonals = TileDiagonals::allAc;
     unsigned dominant = 0;            // an axis
+    unsigned curve = 0;               // 0..7, how far quarters and crosses follow the bend around them, 1/32
     std::array<uint32_t, 3> base{};   // the vertex (0, 0), below 2^24
     std::array<unsigned, 3> reach{};  // [axis], of block boxes: bits 0-2 times 2^(bits 3-7), at most 2^22
     std::array<unsigned, 3> cornerWidth{};                         // [axis], 0..24, as all widths
@@ -94,6 +95,7 @@ inline TileHeader loadTileHeader(const uint8_t* from) {
     head.tileRow = fieldOf(word(1), 12, 12);
     head.diagonals = static_cast<TileDiagonals>(fieldOf(word(1), 24, 2));
     head.dominant = fieldOf(word(1), 26, 2);
+    head.curve = fieldOf(word(1), 28, 3);
     for (unsigned axis = 0; axis < 3; ++axis) {
         head.base[axis] = fieldOf(word(2 + axis), 0, 24);
         head.reach[axis] = fieldOf(word(2 + axis), 24, 8);
@@ -115,7 +117,7 @@ inline void storeTileHeader(uint8_t* to, const TileHeader& head) {
     std::array<uint32_t, 10> words{};
     words[0] = head.grid | (head.columns - 1) << 24 | (head.rows - 1) << 28;
     words[1] = head.tileColumn | head.tileRow << 12 | static_cast<uint32_t>(head.diagonals) << 24 |
-               head.dominant << 26;
+               head.dominant << 26 | head.curve << 28;
     for (unsigned axis = 0; axis < 3; ++axis) {
         words[2 + axis] = head.base[axis] | head.reach[axis] << 24;
         words[5 + axis] = head.cornerWidth[axis] | head.coarseWidth[axis] << 5;
@@ -136,7 +138,7 @@ inline void storeTileHeader(uint8_t* to, const TileHeader& head) {
 
 // One byte a block, row by row, at byte 40.
 constexpr unsigned dropOf(uint8_t block) {  // bits off the widths inside the block, not below 0
-    return block & 3U;
+    return (block & 3U) == 3 ? widestField : block & 3U;
 }
 constexpr unsigned lowReachOf(uint8_t block) {  // of the box, times reach
     return block >> 2 & 7U;

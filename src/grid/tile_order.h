@@ -22,11 +22,11 @@ struct TileFrame {
     LatticePoint& coarseAt(unsigned px, unsigned py) { return coarse[py * patchSide + px]; }
     LatticePoint& fineAt(unsigned x, unsigned y) { return fine[y * frameSide + x]; }
     Patch coarsePatch(const TileHeader& head) {
-        return {coarse.data(), patchSide, head.blockColumns(), head.blockRows()};
+        return {coarse.data(), patchSide, head.blockColumns(), head.blockRows(), 0};
     }
     Patch blockPatch(const TileHeader& head, unsigned blockColumn, unsigned blockRow) {
         return {&fineAt(4 * blockColumn, 4 * blockRow), frameSide, head.columnsOf(blockColumn),
-                head.rowsOf(blockRow)};
+                head.rowsOf(blockRow), head.curve};
     }
 };
 

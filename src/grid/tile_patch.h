@@ -41,8 +41,8 @@ constexpr int32_t mid(int32_t p, int32_t q, unsigned steps) {
 // The points of a patch inside an array of `stride` points a row.
 class Patch {
   public:
-    Patch(LatticePoint* first, size_t stride, unsigned columns, unsigned rows)
-        : first_(first), stride_(stride), columns_(columns), rows_(rows) {}
+    Patch(LatticePoint* first, size_t stride, unsigned columns, unsigned rows, unsigned curve)
+        : first_(first), stride_(stride), columns_(columns), rows_(rows), curve_(curve) {}
 
     LatticePoint& at(unsigned x, unsigned y) { return first_[y * stride_ + x]; }
     [[nodiscard]] const LatticePoint& at(unsigned x, unsigned y) const { return first_[y * stride_ + x]; }
@@ -66,8 +66,13 @@ class Patch {
     static LatticePoint perAxis(const Of& of) {
         return {of(0), of(1), of(2)};
     }
-    [[nodiscard]] LatticePoint between(const LatticePoint& p, const LatticePoint& q) const {
-        return perAxis([&](size_t k) { return half(p[k], q[k]); });
+    // Between places 2 and `end` of five in a line, of which `other` is the far end.
+    [[nodiscard]] LatticePoint quarter(const LatticePoint& end, const LatticePoint& two,
+                                       const LatticePoint& other, unsigned steps) const {
+        const auto curve = static_cast<int32_t>(steps == 4 ? curve_ : 0);
+        return perAxis([&](size_t k) {
+            return half(end[k], two[k]) + ((curve * (2 * two[k] - end[k] - other[k]) + 16) >> 5);
+        });
     }
     [[nodiscard]] LatticePoint middle(const LatticePoint& p, const LatticePoint& q, unsigned steps) const {
         return perAxis([&](size_t k) { return mid(p[k], q[k], steps); });
@@ -78,22 +83,24 @@ class Patch {
         if (midsOf(columns_) != 0)
             for (const unsigned y : {0, 4}) {
                 visit(2, y, edgeMid, middle(at(0, y), at(4, y), columns_));
-                if (isPlace(columns_, 1)) visit(1, y, edgeQuarter, between(at(0, y), at(2, y)));
-                if (isPlace(columns_, 3)) visit(3, y, edgeQuarter, between(at(2, y), at(4, y)));
+                if (isPlace(columns_, 1))
+                    visit(1, y, edgeQuarter, quarter(at(0, y), at(2, y), at(4, y), columns_));
+                if (isPlace(columns_, 3))
+                    visit(3, y, edgeQuarter, quarter(at(4, y), at(2, y), at(0, y), columns_));
             }
         if (midsOf(rows_) != 0)
             for (const unsigned x : {0, 4}) {
                 visit(x, 2, edgeMid, middle(at(x, 0), at(x, 4), rows_));
-                if (isPlace(rows_, 1)) visit(x, 1, edgeQuarter, between(at(x, 0), at(x, 2)));
-                if (isPlace(rows_, 3)) visit(x, 3, edgeQuarter, between(at(x, 2), at(x, 4)));
+                if (isPlace(rows_, 1)) visit(x, 1, edgeQuarter, quarter(at(x, 0), at(x, 2), at(x, 4), rows_));
+                if (isPlace(rows_, 3)) visit(x, 3, edgeQuarter, quarter(at(x, 4), at(x, 2), at(x, 0), rows_));
             }
     }
     template <class Visit>
     void walkCrosses(const Visit& visit) {
-        if (isPlace(rows_, 1)) visit(2, 1, cross, between(at(2, 0), at(2, 2)));
-        if (isPlace(columns_, 1)) visit(1, 2, cross, between(at(0, 2), at(2, 2)));
-        if (isPlace(columns_, 3)) visit(3, 2, cross, between(at(2, 2), at(4, 2)));
-        if (isPlace(rows_, 3)) visit(2, 3, cross, between(at(2, 2), at(2, 4)));
+        if (isPlace(rows_, 1)) visit(2, 1, cross, quarter(at(2, 0), at(2, 2), at(2, 4), rows_));
+        if (isPlace(columns_, 1)) visit(1, 2, cross, quarter(at(0, 2), at(2, 2), at(4, 2), columns_));
+        if (isPlace(columns_, 3)) visit(3, 2, cross, quarter(at(4, 2), at(2, 2), at(0, 2), columns_));
+        if (isPlace(rows_, 3)) visit(2, 3, cross, quarter(at(2, 4), at(2, 2), at(2, 0), rows_));
     }
     [[nodiscard]] LatticePoint centrePrediction() const {
         return perAxis([&](size_t k) {
@@ -116,6 +123,7 @@ class Patch {
     size_t stride_;
     unsigned columns_;
     unsigned rows_;
+    unsigned curve_;
 };
 
 }  // namespace filigree::grid

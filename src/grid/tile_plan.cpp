@@ -58,15 +58,15 @@ unsigned bestBias(const Extents& extents, unsigned group, unsigned axis) {
     return best;
 }
 
-// How far the widths inside a block may fall.
+// The code of how far the widths inside a block may fall.
 uint8_t dropFor(const Extents& extents, const TileHeader& head, unsigned block) {
-    unsigned drop = 3;
+    unsigned least = 3;
     for (const unsigned c : {centre, cross, diagonal})
         for (unsigned k = 0; k < 3; ++k) {
             const unsigned needed = extents[c][block][k].width(k == head.dominant ? head.bias[c] : evenBias);
-            if (needed != 0) drop = std::min(drop, head.width[k][c] - needed);
+            if (needed != 0) least = std::min({least, head.width[k][c] - needed, 2U});
         }
-    return static_cast<uint8_t>(drop);
+    return static_cast<uint8_t>(least);
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ uint32_t chooseWidths(std::span<const TileResidual> residuals, TileHeader& head,
         for (unsigned i = 0; i < head.blockColumns(); ++i) {
             const unsigned block = j * head.blockColumns() + i;
             drops[block] = dropFor(extents, head, block);
-            bits += insideBits(head, i, j, drops[block]);
+            bits += insideBits(head, i, j, dropOf(drops[block]));
         }
     return bits;
 }

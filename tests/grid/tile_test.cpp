@@ -92,7 +92,7 @@ TEST(Tile, HasPartsWhereThePageSays) {
 TEST(Tile, HasHeaderFieldsWhereThePageSays) {
     std::vector<uint8_t> bytes(tileHeaderBytes);
     for (size_t k = 0; k < bytes.size(); ++k) bytes[k] = static_cast<uint8_t>(37 * k + 11);
-    bytes[7] &= 0x0f;
+    bytes[7] &= 0x7f;
     for (const size_t k : {23, 27, 31, 35}) bytes[k] &= 0x3f;
     std::vector<uint8_t> again(tileHeaderBytes);
     storeTileHeader(again.data(), loadTileHeader(bytes.data()));
