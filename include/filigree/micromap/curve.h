@@ -63,12 +63,19 @@ inline CurveCoordinates curveCoordinates(float u, float v, unsigned level) {
 
 namespace detail {
 
+// Each byte with its bits spread to the even places.
+inline constexpr std::array<uint16_t, 256> spreadBytes = [] {
+    std::array<uint16_t, 256> spreads{};
+    for (unsigned k = 0; k < 256; ++k) {
+        for (unsigned bit = 0; bit < 8; ++bit)
+            spreads[k] = static_cast<uint16_t>(spreads[k] | (k >> bit & 1) << (2 * bit));
+    }
+    return spreads;
+}();
+
 // Spreads the low 16 bits of `bits` to the even places.
 constexpr uint32_t spread(uint32_t bits) {
-    bits = (bits | (bits << 8)) & 0x00ff00ffu;
-    bits = (bits | (bits << 4)) & 0x0f0f0f0fu;
-    bits = (bits | (bits << 2)) & 0x33333333u;
-    return (bits | (bits << 1)) & 0x55555555u;
+    return spreadBytes[bits & 255] | uint32_t{spreadBytes[bits >> 8 & 255]} << 16;
 }
 
 // The way back: the even places of `bits`, gathered.
