@@ -109,9 +109,15 @@ HWY_INLINE Four wrappedFour(const Four& point) {
 HWY_INLINE Four halfOf(const Four& p, const Four& q) {
     return shiftRight<1>(p + q + all(1));
 }
-// Place 2 of places 0 and 4; `weight` is 85 for three steps and 128 otherwise.
-HWY_INLINE Four midOf(const Four& p, const Four& q, const I16& weight) {
-    return p + shiftRight<8>(weight * (q - p) + all(128));
+// Place 2 of places 0 and 4; all bits of `thirds` are set in lanes of three steps.
+HWY_INLINE Four midOf(const Four& p, const Four& q, const I16& thirds) {
+    const Four third = p + shiftRight<8>(all(85) * (q - p) + all(128));
+    return (third & thirds) | (halfOf(p, q) & (all(-1) - thirds));
+}
+
+// How far a line's quarters follow its bend at place 2, `curve` 32nds of it.
+HWY_INLINE Four bent(const Four& two, const Four& end, const Four& other, const I16& curve) {
+    return shiftRight<5>(curve * (two + two - end - other) + all(16));
 }
 
 // The vertices of a patch by fours, corners included.
@@ -119,26 +125,32 @@ struct PatchFours {
     Four corners, mids, low, high, crosses, diagonals, centre;
 
     HWY_INLINE PatchFours(const Four& patchCorners, const PatchResiduals& residuals, unsigned columns,
-                          unsigned rows)
+                          unsigned rows, unsigned curve)
         : corners(patchCorners) {
         const auto& r = residuals.four;
-        const auto weightOf = [](unsigned steps) { return steps == 3 ? 85 : 128; };
-        alignas(16) const std::array<int32_t, 4> weights{weightOf(columns), weightOf(rows), weightOf(columns),
-                                                         weightOf(rows)};
-        const I16 along = loadBlocks(weights.data());
+        const auto isThird = [](unsigned steps) { return steps == 3 ? -1 : 0; };
+        const auto curveOf = [&](unsigned steps) { return static_cast<int32_t>(steps == 4 ? curve : 0); };
+        alignas(16) const std::array<int32_t, 4> curves{curveOf(columns), curveOf(rows), curveOf(columns),
+                                                        curveOf(rows)};
+        const I16 bendAlong = loadBlocks(curves.data());
+        alignas(16) const std::array<int32_t, 4> thirds{isThird(columns), isThird(rows), isThird(columns),
+                                                        isThird(rows)};
+        const I16 along = loadBlocks(thirds.data());
         const I16 across = turned<1, 0, 1, 0>(along);
         // Ends of the edges, from the left or the top.
         const Four from = turned<0, 1, 3, 0>(corners), to = turned<1, 2, 2, 3>(corners);
         const Four guessed = midOf(from, to, along);
         mids = wrappedFour(guessed + r[PatchFour::edgeMids]);
-        low = wrappedFour(halfOf(from, mids) + r[lowQuarters]);
-        high = wrappedFour(halfOf(mids, to) + r[highQuarters]);
+        const Four bend = bent(mids, from, to, bendAlong);
+        low = wrappedFour(halfOf(from, mids) + bend + r[lowQuarters]);
+        high = wrappedFour(halfOf(mids, to) + bend + r[highQuarters]);
         // Lane 0 from the top down, lane 3 from left to right.
         const Four between = midOf(mids, turned<2, 3, 0, 1>(mids), across);
         const Four guess = midOf(guessed, turned<2, 3, 0, 1>(guessed), across);
         const Four sum = turned<0, 0, 0, 0>(between) + turned<3, 3, 3, 3>(between);
         centre = wrappedFour(sum - turned<0, 0, 0, 0>(guess) + r[middle]);
-        crosses = wrappedFour(halfOf(centre, mids) + r[PatchFour::crosses]);
+        const Four turn = bent(centre, mids, turned<2, 3, 0, 1>(mids), turned<1, 0, 1, 0>(bendAlong));
+        crosses = wrappedFour(halfOf(centre, mids) + turn + r[PatchFour::crosses]);
         setDiagonals(r[PatchFour::diagonals]);
     }
 
@@ -252,7 +264,7 @@ inline void decodeTileBlocks(const uint8_t* record, TileBlocks& tile) {
             patch.places[four][k] =
                 static_cast<int32_t>(parts.coarse + fields.bits() * coarseFields[columns][rows][four][k]);
     const ResidualReader reader(bits, head);
-    const PatchFours fours(tileCorners(head, bits), PatchResiduals(reader, patch), columns, rows);
+    const PatchFours fours(tileCorners(head, bits), PatchResiduals(reader, patch), columns, rows, 0);
     fours.storePatch(tile.points, columns, rows);
     tile.blocks = stepMask(columns, rows);
     setBoxes(record, head, tile);
@@ -289,7 +301,7 @@ inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsig
         corners[4 * k + 3] = tile.points[k][first + 5];
     }
     const ResidualReader reader(bits, head);
-    const PatchFours fours(load(corners.data()), PatchResiduals(reader, patch), columns, rows);
+    const PatchFours fours(load(corners.data()), PatchResiduals(reader, patch), columns, rows, head.curve);
     alignas(64) std::array<PatchAxis<int32_t>, 3> points;
     fours.storePatch(points, columns, rows);
     for (size_t k = 0; k < 3; ++k) {
