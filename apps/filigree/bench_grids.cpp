@@ -64,9 +64,11 @@ void addBenchGrids(CLI::App& bench, Commands& commands) {
     verb.add_flag("--full", *full, "The size 4097, too, and ten times as many rays that look for leaks");
     verb.add_option("--methods", options->methods,
                     "Of triangles, triangles-compact, triangles-qbvh8, grids, grids-compact, paper and "
-                    "lattice, with commas between them; default all")
+                    "lattice (default all these), and triangles-robust, with commas between them")
         ->delimiter(',')
         ->type_name("NAMES");
+    verb.add_flag("--lossless", options->lossless,
+                  "lattice keeps heightfields exactly; without, it errs as much as paper");
     verb.add_option("--rounds", options->rounds, "Runs of each row, of which the median counts; default 5")
         ->type_name("N");
     addSizeOption(verb, options->width, options->height, "800x800");

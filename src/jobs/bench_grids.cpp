@@ -1,16 +1,19 @@
 #include "filigree/jobs/bench_grids.h"
 
 #include "filigree/core/box.h"
+#include "filigree/grid/error.h"
 #include "filigree/grid/shapes.h"
 #include "filigree/trace/grid_rays.h"
 #include "filigree/trace/render.h"
 
+#include "jobs/grid_input.h"
 #include "jobs/grid_leaks.h"
 #include "jobs/grid_methods.h"
 #include "jobs/grid_race.h"
 #include "jobs/json_text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -24,6 +27,8 @@ namespace {
 constexpr uint32_t leastShapeSize = 65;
 constexpr uint32_t mostShapeSize = 8193;
 constexpr std::string_view stockMethod = "triangles";
+constexpr std::string_view watertightMethod = "lattice";
+constexpr std::string_view optionalMethod = "triangles-robust";
 
 using MakeShape = grid::GridMesh (*)(uint32_t n, const Executor& executor);
 struct GridShape {
@@ -36,12 +41,6 @@ const GridShape* gridShapeNamed(std::string_view name) {
     const auto* found = std::ranges::find(gridShapes, name, &GridShape::name);
     return found == gridShapes.end() ? nullptr : found;
 }
-
-// What is measured, by its name.
-struct GridScene {
-    std::string name;
-    grid::GridMesh mesh;
-};
 
 Status checkBenchGrids(const BenchGridsOptions& options) {
     for (const uint32_t n : options.sizes) {
@@ -58,22 +57,18 @@ Status checkBenchGrids(const BenchGridsOptions& options) {
     return trace::checkSize(options.width, options.height);
 }
 
-// The stock method first, whether asked for or not.
-std::vector<std::string> methodsToRace(const BenchGridsOptions& options) {
-    std::vector<std::string> methods{std::string(stockMethod)};
-    for (const std::string_view name : gridMethodNames()) {
-        const bool wanted =
-            options.methods.empty() || std::ranges::find(options.methods, name) != options.methods.end();
-        if (wanted && name != stockMethod) methods.emplace_back(name);
-    }
-    return methods;
+bool isWanted(const BenchGridsOptions& options, std::string_view name) {
+    if (options.methods.empty()) return name != optionalMethod;
+    return std::ranges::find(options.methods, name) != options.methods.end();
 }
 
-Box boundsOf(const grid::GridMesh& mesh) {
-    Box box;
-    for (const Vec3& v : mesh.vertices) box.extend(v);
-    for (const Vec3& v : mesh.looseVertices) box.extend(v);
-    return box;
+// All but the stock method, which races whether asked for or not.
+std::vector<std::string> methodsToRace(const BenchGridsOptions& options) {
+    std::vector<std::string> methods;
+    for (const std::string_view name : gridMethodNames()) {
+        if (name != stockMethod && isWanted(options, name)) methods.emplace_back(name);
+    }
+    return methods;
 }
 
 BenchGridsSpeed speedOf(const GridSpeed& speed) {
@@ -83,7 +78,7 @@ BenchGridsSpeed speedOf(const GridSpeed& speed) {
 // One scene with all methods.
 class GridSceneBench {
   public:
-    GridSceneBench(const BenchGridsOptions& options, const GridScene& scene, const Executor& executor,
+    GridSceneBench(const BenchGridsOptions& options, GridScene& scene, const Executor& executor,
                    ProgressSink& progress, BenchGridsSummary& summary)
         : options_(options), scene_(scene), executor_(executor), progress_(progress), summary_(summary) {}
 
@@ -91,7 +86,6 @@ class GridSceneBench {
         if (const Status made = makeStock(); !made) return made;
         std::vector<std::string> group;
         for (const std::string& name : methodsToRace(options_)) {
-            if (name == stockMethod) continue;
             if (!group.empty() && estimate(group) + estimate({name}) > options_.memory) {
                 if (const Status raced = race(group); !raced) return raced;
                 group.clear();
@@ -104,7 +98,7 @@ class GridSceneBench {
   private:
     // Also gives the rays, from a build that loses none.
     Status makeStock() {
-        const Box bounds = boundsOf(scene_.mesh);
+        const Box bounds = grid::boundsOf(scene_.mesh);
         {
             auto reference = trace::EmbreeGrids::build(scene_.mesh, trace::EmbreeLayout::trianglesCompact,
                                                        {.robust = true, .threads = executor_.concurrency()});
@@ -115,7 +109,7 @@ class GridSceneBench {
             const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
             rays_ = gridRaySets(*reference, bounds, trace::overviewOf(bounds, aspect), options);
         }
-        auto stock = makeGridMethod(stockMethod, scene_.mesh, executor_);
+        auto stock = makeGridMethod(stockMethod, scene_, executor_);
         if (!stock) return stock.error();
         stock_ = std::move(*stock);
         return {};
@@ -133,7 +127,7 @@ class GridSceneBench {
         std::vector<std::unique_ptr<GridMethod>> made;
         std::vector<GridMethod*> methods{stock_.get()};
         for (const std::string& name : group) {
-            auto method = makeGridMethod(name, scene_.mesh, executor_);
+            auto method = makeGridMethod(name, scene_, executor_);
             if (!method) return method.error().within(scene_.name);
             made.push_back(std::move(*method));
             methods.push_back(made.back().get());
@@ -163,7 +157,7 @@ class GridSceneBench {
     }
 
     const BenchGridsOptions& options_;
-    const GridScene& scene_;
+    GridScene& scene_;
     const Executor& executor_;
     ProgressSink& progress_;
     BenchGridsSummary& summary_;
@@ -171,6 +165,26 @@ class GridSceneBench {
     std::unique_ptr<GridMethod> stock_;
     bool stockListed_ = false;
 };
+
+// As the verb grids converts it, and once more with uniform diagonals where it has others.
+Result<GridScene> fileScene(const std::string& name, const BenchGridsOptions& options,
+                            const Executor& executor, std::vector<std::string>& notes) {
+    const std::filesystem::path path = name;
+    grid::ConvertOptions converting;
+    converting.attributes = false;
+    auto input = readGridInput(path, converting, {}, executor);
+    if (!input) return input.error();
+    for (const std::string& note : input->notes)
+        notes.push_back(fmt::format("{}: {}", path.filename().string(), note));
+    GridScene scene{path.filename().string(), std::move(input->mesh), {}, {}};
+    scene.precision.lossless = options.lossless && isHeightfield(path);
+    if (scene.mesh.diagonals.empty()) return scene;
+    converting.uniformDiagonals = true;
+    auto uniform = readGridInput(path, converting, {}, executor);
+    if (!uniform) return uniform.error();
+    scene.uniformMesh = std::move(uniform->mesh);
+    return scene;
+}
 
 // A closed shape that rays must not leave.
 struct ClosedShape {
@@ -184,16 +198,15 @@ constexpr std::array<ClosedShape, 2> closedShapes{
 Status countAllLeaks(const BenchGridsOptions& options, const Executor& executor, ProgressSink& progress,
                      BenchGridsSummary& summary) {
     for (const ClosedShape& shape : closedShapes) {
-        const grid::GridMesh mesh = shape.make(options.leakSize, executor);
-        for (const std::string& name : methodsToRace(options)) {
-            auto method = makeGridMethod(name, mesh, executor);
-            if (!method) return method.error().within(std::string(shape.name));
-            const auto decoded = (*method)->decoded(mesh);
-            if (!decoded) return decoded.error().within(std::string(shape.name));
+        GridScene scene{std::string(shape.name), shape.make(options.leakSize, executor), {}, {}};
+        for (const std::string_view name : gridMethodNames()) {
+            if (name != optionalMethod && !isWanted(options, name)) continue;
+            auto method = makeGridMethod(name, scene, executor);
+            if (!method) return method.error().within(scene.name);
             const uint64_t rays = options.leakRays / closedShapes.size();
-            const GridLeaks leaks =
-                countLeaks(**method, *decoded, shape.behind, name == "lattice" ? rays : rays / 10);
-            summary.leaks.push_back({std::string(shape.name), name, leaks.rays, leaks.misses});
+            const GridLeaks leaks = countLeaks(**method, (*method)->surface(executor), shape.behind,
+                                               name == watertightMethod ? rays : rays / 10);
+            summary.leaks.push_back({scene.name, std::string(name), leaks.rays, leaks.misses});
             if (progress.cancelled()) return Error{ErrorKind::cancelled, "the bench was cancelled"};
         }
     }
@@ -206,14 +219,19 @@ Result<BenchGridsSummary> benchGrids(const BenchGridsOptions& options, const Exe
                                      ProgressSink& progress) {
     if (const Status checked = checkBenchGrids(options); !checked) return checked.error();
     BenchGridsSummary summary;
-    const auto bench = [&](const GridScene& scene) {
+    const auto bench = [&](GridScene scene) {
         return GridSceneBench(options, scene, executor, progress, summary).run();
     };
     for (const std::string& name : options.scenes) {
         const GridShape* shape = gridShapeNamed(name);
-        if (shape == nullptr) return Error{ErrorKind::usage, fmt::format("{}: files are not read yet", name)};
+        if (shape == nullptr) {
+            auto scene = fileScene(name, options, executor, summary.notes);
+            if (!scene) return scene.error();
+            if (const Status done = bench(std::move(*scene)); !done) return done.error();
+            continue;
+        }
         for (const uint32_t n : options.sizes) {
-            const Status done = bench({fmt::format("{} {}", name, n), shape->make(n, executor)});
+            const Status done = bench({fmt::format("{} {}", name, n), shape->make(n, executor), {}, {}});
             if (!done) return done.error();
         }
     }
@@ -261,7 +279,7 @@ std::string toJson(const BenchGridsSummary& summary) {
     Json leaks = Json::array();
     for (const BenchGridsLeaks& l : summary.leaks) {
         leaks.push_back({{"scene", l.scene}, {"method", l.method}, {"rays", l.rays}, {"misses", l.misses}});
-        if (l.method != "lattice") continue;
+        if (l.method != watertightMethod) continue;
         lattice.rays += l.rays;
         lattice.misses += l.misses;
     }

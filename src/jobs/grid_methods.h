@@ -6,11 +6,14 @@
 #include "filigree/grid/encoded_grids.h"
 #include "filigree/grid/rays.h"
 #include "filigree/grid/vertex_grid.h"
+#include "filigree/jobs/grids.h"
 #include "filigree/trace/embree_grids.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace filigree::jobs {
@@ -33,16 +36,29 @@ class GridMethod {
     virtual void closest(std::span<const grid::Ray> rays, bool batched, std::span<float> distances) = 0;
     virtual void any(std::span<const grid::Ray> rays, bool batched, std::span<uint8_t> answers) = 0;
 
-    // The vertices as rays meet them, those of `mesh` where nothing changes them.
-    [[nodiscard]] virtual Result<grid::GridMesh> decoded(const grid::GridMesh& mesh) const { return mesh; }
+    // The surface as rays meet it.
+    [[nodiscard]] virtual grid::GridMesh surface(const Executor& executor) const = 0;
 };
 
 // As the command line calls them.
 std::span<const std::string_view> gridMethodNames();
 bool isGridMethod(std::string_view name);
 
-// Lays `mesh` out for one of them.
-Result<std::unique_ptr<GridMethod>> makeGridMethod(std::string_view name, const grid::GridMesh& mesh,
+// What methods are made for.
+struct GridScene {
+    std::string name;
+    grid::GridMesh mesh;
+    // With uniform diagonals (grid::ConvertOptions), where `mesh` has others: the codec `paper` needs them.
+    std::optional<grid::GridMesh> uniformMesh;
+    GridPrecision precision;  // of the codec `lattice`
+
+    grid::GridMesh& meshFor(grid::Codec codec) {
+        return codec == grid::Codec::paper && uniformMesh ? *uniformMesh : mesh;
+    }
+};
+
+// Lays the scene out for one of them; `scene` must outlive it. The order of loose triangles may change.
+Result<std::unique_ptr<GridMethod>> makeGridMethod(std::string_view name, GridScene& scene,
                                                    const Executor& executor);
 
 }  // namespace filigree::jobs

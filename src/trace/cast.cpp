@@ -58,6 +58,7 @@ std::optional<NearestHit> Caster::nearestHit(const Ray& ray) {
     NearestHit hit;
     hit.distance = found.ray.tfar;
     hit.surface = found.hit;
+    if (tracer_) hit.grid = tracer_->closest({ray.origin, ray.direction, 0, hit.distance});
     if (hit.onGrid()) {
         hit.distance = hit.grid.t;
     } else if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
@@ -69,6 +70,7 @@ std::optional<NearestHit> Caster::nearestHit(const Ray& ray) {
 bool Caster::isOccluded(const Ray& ray) {
     RayContext context = contextOf(ray);
     if (!isUsable(ray)) return false;
+    if (tracer_ && tracer_->any({ray.origin, ray.direction, 0, ray.length})) return true;
     DeferredCandidates deferred;
     if (options_.defer) context.deferred = &deferred;
     RTCRay found = embreeRay(ray);

@@ -35,7 +35,9 @@ class Caster {
   public:
     // The first two must outlive it.
     Caster(const World::Data& world, const Opacity::Data& opacity, const CastOptions& options)
-        : world_(world), opacity_(opacity), options_(options) {}
+        : world_(world), opacity_(opacity), options_(options) {
+        if (world.grids.grids != nullptr) tracer_.emplace(*world.grids.grids);
+    }
 
     std::optional<NearestHit> nearestHit(const Ray& ray);
     bool isOccluded(const Ray& ray);
@@ -48,6 +50,7 @@ class Caster {
     const World::Data& world_;
     const Opacity::Data& opacity_;
     CastOptions options_;
+    std::optional<grid::Tracer> tracer_;  // where the world has grids
     Counters counters_;
 };
 

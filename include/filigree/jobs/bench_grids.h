@@ -16,10 +16,12 @@ struct BenchGridsOptions {
     // Files as for the verb grids, or the names of shapes made in code: terrain, torus.
     std::vector<std::string> scenes{"terrain", "torus"};
     std::vector<uint32_t> sizes{1025, 2049};  // of shapes, vertices a side, 65 to 8193
-    // triangles, triangles-compact, triangles-qbvh8, grids, grids-compact, paper, lattice; empty: all.
+    // triangles, triangles-compact, triangles-qbvh8, grids, grids-compact, paper, lattice; empty: all these.
+    // triangles-robust is there, too.
     std::vector<std::string> methods;
-    unsigned rounds = 5;   // at least 1
-    uint32_t width = 800;  // pixels of the picture whose rays are cast
+    bool lossless = false;  // `lattice` keeps heightfields exactly; otherwise it errs as `paper` does
+    unsigned rounds = 5;    // at least 1
+    uint32_t width = 800;   // pixels of the picture whose rays are cast
     uint32_t height = 800;
     uint64_t leakRays = 10'000'000;    // aimed at a closed torus and a box, in all; 0: none
     uint32_t leakSize = 513;           // vertices a side of the torus, and quads a side of the box
