@@ -42,6 +42,7 @@ void addCompare(CLI::App& app, Commands& commands) {
         ->type_name("IN");
     verb.add_option("-o,--output", options->outputFolder, "A folder for compare.csv and charts")
         ->type_name("DIR");
+    verb.add_option("--html", options->page, "A page with the charts and tables")->type_name("FILE");
     addLevelsOption(verb, options->levels, "1-10");
     addBothStates(verb, options->states);
     addTestOptions(verb, options->parameters);

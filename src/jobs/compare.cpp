@@ -159,7 +159,17 @@ class Comparison {
     std::vector<Encoding> missing_;
 };
 
+Status writePage(const CompareOptions& options, const CompareSummary& summary) {
+    if (options.page.empty()) return {};
+    report::Page page;
+    page.title = "What the micromaps of " + summary.scene + " take";
+    page.lead = "Every published way to store them, level by level. Equal maps are stored once.";
+    page.sections = comparisonSections(summary, options);
+    return writeFile(options.page, report::toHtml(page));
+}
+
 Status writeReport(const CompareOptions& options, const CompareSummary& summary) {
+    if (const Status written = writePage(options, summary); !written) return written;
     if (options.outputFolder.empty()) return {};
     if (const Status made = makeFolder(options.outputFolder); !made) return made;
     const std::string csv = report::toCsv(rowTable(summary));

@@ -1,8 +1,11 @@
 #include "filigree/jobs/compare.h"
 
+#include "jobs/command_words.h"
 #include "jobs/json_text.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -37,6 +40,41 @@ const CompareRow* find(const CompareSummary& summary, const std::string& method,
         if (row.method == method && row.level == level && row.states == states) return &row;
     }
     return nullptr;
+}
+
+std::string joined(const std::vector<unsigned>& numbers) {
+    return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+std::string commandOf(const CompareOptions& options) {
+    std::vector<std::string> words{"filigree", "compare", options.input.string(), "--levels",
+                                   joined(options.levels)};
+    if (options.states.size() == 1) words.insert(words.end(), {"--states", joined(options.states)});
+    const std::vector<std::string> more = testWords(options.parameters);
+    words.insert(words.end(), more.begin(), more.end());
+    words.insert(words.end(), {"--html", options.page.empty() ? "compare.html" : options.page.string()});
+    return shellCommand(words);
+}
+
+report::Section notesSection(const std::vector<std::string>& notes) {
+    report::Section section{"Notes", {}};
+    for (const std::string& note : notes) section.blocks.emplace_back(report::Paragraph{note});
+    return section;
+}
+
+// The same for a method in every chart; neighbours in size stay apart.
+report::Colour methodColour(const std::string& method) {
+    static constexpr std::array<std::pair<std::string_view, size_t>, 7> colours{{{"flat", 0},
+                                                                                 {"gruen", 7},
+                                                                                 {"bitmask", 2},
+                                                                                 {"tree", 3},
+                                                                                 {"indexed-tree", 4},
+                                                                                 {"dag", 5},
+                                                                                 {"sdag", 1}}};
+    for (const auto& [name, colour] : colours) {
+        if (name == method) return report::seriesColour(colour);
+    }
+    return report::seriesColour(6);
 }
 
 // A level line over the whole chart.
@@ -98,10 +136,11 @@ report::LineChart comparisonChart(const CompareSummary& summary, unsigned states
     report::LineChart chart;
     chart.title = fmt::format("{}, {} states", summary.scene, states);
     chart.x = {"level"};
+    chart.x.whole = true;
     chart.y = {"payload, descriptors and indices", "bytes", true};
     const auto levels = levelsOf(summary);
     for (const auto& method : methodsOf(summary, states)) {
-        report::LineChart::Series series{method, {}, report::seriesColour(chart.series.size())};
+        report::LineChart::Series series{method, {}, methodColour(method)};
         for (const unsigned level : levels) {
             if (const CompareRow* const row = find(summary, method, level, states))
                 series.points.emplace_back(level, static_cast<double>(row->totalBytes()));
@@ -109,10 +148,31 @@ report::LineChart comparisonChart(const CompareSummary& summary, unsigned states
         chart.series.push_back(std::move(series));
     }
     if (levels.empty()) return chart;
-    chart.series.push_back(constant("texture", summary.textureBytes, levels, 5));
+    chart.series.push_back(constant("texture", summary.textureBytes, levels, 2));
     chart.series.push_back(constant("vertices", summary.vertexBytes, levels, 6));
     chart.series.push_back(constant("triangle indices", summary.triangleIndexBytes, levels, 7));
     return chart;
+}
+
+std::vector<report::Section> comparisonSections(const CompareSummary& summary,
+                                                const CompareOptions& options) {
+    const std::string command = commandOf(options);
+    std::vector<report::Section> sections;
+    for (const unsigned states : options.states) {
+        report::Section section{fmt::format("{} states", states), {}};
+        section.blocks.emplace_back(report::chartFigure(
+            comparisonChart(summary, states),
+            "Payload, descriptors and the indices of all masked triangles. Dashed: what the scene needs "
+            "besides, its alpha texels at a byte each, texture coordinates and triangle indices.",
+            command));
+        section.blocks.emplace_back(comparisonTable(summary, states));
+        sections.push_back(std::move(section));
+    }
+    report::Table rows = rowTable(summary);
+    rows.command = command;
+    sections.push_back({"All figures", {std::move(rows)}});
+    if (!summary.notes.empty()) sections.push_back(notesSection(summary.notes));
+    return sections;
 }
 
 std::string toJson(const CompareSummary& s) {

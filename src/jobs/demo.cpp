@@ -4,7 +4,9 @@
 #include "filigree/io/gltf.h"
 #include "filigree/report/number.h"
 
+#include "jobs/command_words.h"
 #include "jobs/demo_scene.h"
+#include "jobs/demo_terrain.h"
 #include "jobs/demo_views.h"
 #include "jobs/inspection.h"
 #include "jobs/json_text.h"
@@ -68,7 +70,9 @@ report::Table validationTable(const DemoSummary& s) {
 report::Section filesSection() {
     return {"Files",
             {report::Links{{{sceneFile, "the scene as it was made"},
-                            {bakedFile, "the same with opacity micromaps (EXT_mesh_opacity_micromap)"}}}}};
+                            {bakedFile, "the same with opacity micromaps (EXT_mesh_opacity_micromap)"},
+                            {"terrain.png", "a terrain as 16-bit heights"},
+                            {"terrain.fil", "the same as compressed grids"}}}}};
 }
 
 Result<scene::Scene> readBaked(const DemoSummary& summary) {
@@ -115,6 +119,20 @@ Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::
     return sections;
 }
 
+// Compresses the terrain and traces it.
+Result<report::Section> addTerrain(DemoSummary& summary, const std::filesystem::path& folder,
+                                   const Executor& executor, ProgressSink& progress) {
+    auto terrain = drawDemoTerrain(folder, executor, progress);
+    if (!terrain) return terrain.error();
+    summary.heights = std::move(terrain->heights);
+    summary.terrain = std::move(terrain->grids);
+    summary.grids = std::move(terrain->conversion);
+    summary.terrainView = std::move(terrain->render);
+    summary.inspection.pictures.insert(summary.inspection.pictures.end(), terrain->files.begin(),
+                                       terrain->files.end());
+    return std::move(terrain->section);
+}
+
 // The demo shows that the micromaps are right; if they are not it must not look like a success.
 Status requireValid(const DemoSummary& summary) {
     if (summary.validation.valid()) return {};
@@ -149,6 +167,9 @@ Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, P
 
     auto sections = drawBaked(summary, folder, executor, progress);
     if (!sections) return sections.error();
+    auto terrain = addTerrain(summary, folder, executor, progress);
+    if (!terrain) return terrain.error();
+    sections->insert(sections->begin() + 1, std::move(*terrain));
     const std::string html = report::toHtml(pageOf(summary, std::move(*sections)));
     if (const auto written = writeFile(summary.page, html); !written) return written.error();
     return summary;
@@ -161,6 +182,10 @@ std::string toJson(const DemoSummary& s) {
                  {"bake", Json::parse(toJson(s.bake))},
                  {"validate", Json::parse(toJson(s.validation))},
                  {"inspect", Json::parse(toJson(s.inspection))}};
+    json["terrain"] = {{"heights", s.heights.string()},
+                       {"file", s.terrain.string()},
+                       {"grids", Json::parse(toJson(s.grids))},
+                       {"render", Json::parse(toJson(s.terrainView))}};
     for (const RenderSummary& view : s.views) json["render"].push_back(Json::parse(toJson(view)));
     return dump(json);
 }

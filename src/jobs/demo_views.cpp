@@ -4,6 +4,7 @@
 #include "filigree/io/image_file.h"
 #include "filigree/report/number.h"
 
+#include "jobs/command_words.h"
 #include "jobs/inspection.h"
 
 #include <utility>
@@ -46,17 +47,6 @@ std::string commandOf(const RenderOptions& o) {
     return shellCommand(words);
 }
 
-// A picture that lies in the folder.
-Result<report::Figure> figureOf(const std::filesystem::path& file, const std::string& alt,
-                                const std::string& caption, const std::string& command) {
-    auto png = readFile(file);
-    if (!png) return png.error();
-    const auto size = io::imageSize(*png);
-    if (!size) return size.error().within(file.string());
-    report::Picture picture{std::move(*png), size->width, size->height, alt, file.filename().string()};
-    return report::Figure{std::move(picture), caption, command};
-}
-
 report::Table testsTable(const RenderSummary& s, const std::string& command) {
     const auto count = [](uint64_t n) { return static_cast<int64_t>(n); };
     const trace::RayCounts rays = s.counters.total();
@@ -73,6 +63,16 @@ report::Table testsTable(const RenderSummary& s, const std::string& command) {
 }
 
 }  // namespace
+
+Result<report::Figure> figureOf(const std::filesystem::path& file, const std::string& alt,
+                                const std::string& caption, const std::string& command) {
+    auto png = readFile(file);
+    if (!png) return png.error();
+    const auto size = io::imageSize(*png);
+    if (!size) return size.error().within(file.string());
+    report::Picture picture{std::move(*png), size->width, size->height, alt, file.filename().string()};
+    return report::Figure{std::move(picture), caption, command};
+}
 
 Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras,
                                 const std::filesystem::path& folder, const Executor& executor,

@@ -3,6 +3,7 @@
 #include "filigree/core/file.h"
 #include "filigree/io/gltf.h"
 
+#include "jobs/command_words.h"
 #include "jobs/inspection.h"
 #include "jobs/json_text.h"
 #include "jobs/overlay.h"
@@ -14,30 +15,11 @@
 namespace filigree::jobs {
 namespace {
 
-// The options that differ from their defaults, as the command line takes them.
-std::vector<std::string> wordsOf(const BakeParameters& p) {
-    const BakeParameters usual;
-    std::vector<std::string> words;
-    const auto add = [&](const char* option, const std::string& value) {
-        words.insert(words.end(), {option, value});
-    };
-    if (p.states != usual.states) add("--states", std::to_string(p.states));
-    if (p.level) add("--level", std::to_string(*p.level));
-    if (p.maxLevel != usual.maxLevel) add("--max-level", std::to_string(p.maxLevel));
-    if (p.budget) add("--budget", std::to_string(*p.budget));
-    if (p.mips != usual.mips) add("--mips", p.mips == allMips ? "all" : std::to_string(p.mips));
-    if (p.guard != usual.guard) add("--guard", fmt::format("{}", p.guard));
-    if (p.cutoff) add("--cutoff", fmt::format("{}", *p.cutoff));
-    if (p.includeBlend) words.emplace_back("--include-blend");
-    if (p.rotate) words.emplace_back("--rotate");
-    return words;
-}
-
 std::string commandOf(const InspectOptions& options, bool baked) {
     std::vector<std::string> words = {"filigree", "inspect", options.input.string(), "-o",
                                       options.outputFolder.string()};
     if (baked) {
-        const auto more = wordsOf(options.parameters);
+        const auto more = bakeWords(options.parameters);
         words.insert(words.end(), more.begin(), more.end());
     }
     if (options.full) words.emplace_back("--full");

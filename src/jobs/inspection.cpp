@@ -120,7 +120,8 @@ Result<report::Section> chartSection(const std::vector<InspectedTexture>& textur
         const std::string file = std::string(named.file) + ".png";
         if (const auto written = writeFile(folder / file, *png); !written) return written.error();
         summary.pictures.emplace_back(file);
-        row.figures.push_back({drawing, fmt::format("The same picture as a file: {}.", file), command});
+        row.figures.push_back(
+            report::chartFigure(named.chart, fmt::format("The same picture as a file: {}.", file), command));
     }
     return report::Section{"Levels, sharing, states and overlaps", {std::move(row)}};
 }
@@ -178,23 +179,6 @@ Status makeFolder(const std::filesystem::path& folder) {
         return Error{ErrorKind::file,
                      fmt::format("{}: cannot make the folder: {}", folder.string(), error.message())};
     return {};
-}
-
-std::string shellCommand(std::span<const std::string> words) {
-    constexpr std::string_view plain =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/=+:,@%";
-    std::string command;
-    for (const std::string& word : words) {
-        if (!command.empty()) command += ' ';
-        if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-            command += word;
-            continue;
-        }
-        command += '\'';
-        for (const char c : word) command += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        command += '\'';
-    }
-    return command;
 }
 
 }  // namespace filigree::jobs

@@ -12,7 +12,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,8 +33,5 @@ Status makeFolder(const std::filesystem::path& folder);
 
 // A file name of plain characters.
 std::string plainName(const std::string& name);
-
-// A command line for people to copy: words with more than plain characters stand in single quotes.
-std::string shellCommand(std::span<const std::string> words);
 
 }  // namespace filigree::jobs

@@ -37,16 +37,10 @@ bool isScene(const std::filesystem::path& path) {
     return extension == ".glb" || extension == ".gltf";
 }
 
-// A picture and the file that it goes to.
-struct NamedPicture {
-    std::string file;
-    std::vector<uint8_t> png;
-};
-
 struct Finished {
     VqTexture texture;
     ChosenTransforms transforms;
-    std::optional<NamedPicture> picture;
+    std::optional<VqPicture> picture;
 };
 
 class Run {
@@ -92,7 +86,7 @@ class Run {
         return options_.limit - std::min(options_.limit, finished_.size());
     }
 
-    VqSummary summary(std::vector<NamedPicture>& pictures) {
+    VqSummary summary(std::vector<VqPicture>& pictures) {
         VqSummary summary;
         ChosenTransforms chosen;
         for (Finished& finished : finished_) {
@@ -116,10 +110,13 @@ class Run {
         if (!measured) return measured.error();
         Finished finished{std::move(measured->texture), std::move(measured->transforms), {}};
         if (!options_.pictures) return finished;
-        auto png = drawMap(input, measured->first).png();
+        const VqPanels panels = drawPanels(input, measured->first);
+        auto png = drawSheet(panels).png();
         if (!png) return png.error();
+        auto item = galleryItem(finished.texture, panels);
+        if (!item) return item.error();
         const std::string file = fmt::format("map-{:03}-{}.png", number + 1, plainName(input.name));
-        finished.picture = NamedPicture{file, std::move(*png)};
+        finished.picture = VqPicture{file, std::move(*png), std::move(*item)};
         return finished;
     }
 
@@ -150,16 +147,13 @@ Status addAll(const VqOptions& options, Run& run, ProgressSink& progress) {
 }
 
 // Nothing is written before all is known, so that an error leaves nothing.
-Status writeAll(const VqOptions& options, const VqSummary& summary,
-                const std::vector<NamedPicture>& pictures) {
+Status writeAll(const VqOptions& options, const VqSummary& summary, const std::vector<VqPicture>& pictures) {
     if (auto made = makeFolder(options.outputFolder); !made) return made;
-    std::vector<std::string> files;
-    for (const NamedPicture& picture : pictures) {
+    for (const VqPicture& picture : pictures) {
         if (auto written = writeFile(options.outputFolder / picture.file, picture.png); !written)
             return written;
-        files.push_back(picture.file);
     }
-    return writeVqReport(options, summary, files);
+    return writeVqReport(options, summary, pictures);
 }
 
 }  // namespace
@@ -169,7 +163,7 @@ Result<VqSummary> vq(const VqOptions& options, const Executor& executor, Progres
     const Stopwatch watch;
     Run run(options, executor);
     if (auto added = addAll(options, run, progress); !added) return added.error();
-    std::vector<NamedPicture> pictures;
+    std::vector<VqPicture> pictures;
     VqSummary summary = run.summary(pictures);
     summary.seconds = watch.seconds();
     if (auto written = writeAll(options, summary, pictures); !written) return written.error();

@@ -17,7 +17,8 @@ namespace {
 using quadmap::Region;
 using quadmap::Square;
 
-constexpr uint32_t panel = 192;  // pixels a side, a multiple of 32
+constexpr uint32_t alphaSide = 96;  // pixels
+constexpr uint32_t panel = 192;     // pixels a side on a sheet, a multiple of 32 and of alphaSide
 constexpr uint32_t gap = 12;
 constexpr uint32_t caption = 22;
 constexpr double textSize = 13;
@@ -59,75 +60,81 @@ double alphaAt(const VqInput& input, double x, double y) {
     return isNear ? image::sampleBilinear(input.texture, u, v) : 0;
 }
 
-class Sheet {
-  public:
-    Sheet() : canvas_(5 * panel + 6 * gap, 2 * (panel + gap + caption) + gap, ground) {}
-
-    void alpha(const VqInput& input, unsigned column, unsigned row) {
-        const auto [left, top] = corner(column, row);
-        for (uint32_t y = 0; y < panel; ++y) {
-            for (uint32_t x = 0; x < panel; ++x) {
-                const double alpha = alphaAt(input, (x + 0.5) / panel, (y + 0.5) / panel);
-                const auto grey = static_cast<uint8_t>(std::lround(255 * std::clamp(alpha, 0.0, 1.0)));
-                canvas_.set(left + x, top + y, {grey, grey, grey});
-            }
+VqPanel alphaPanel(const VqInput& input) {
+    VqPanel out{Canvas(alphaSide, alphaSide, freeColour), "alpha", false};
+    for (uint32_t y = 0; y < alphaSide; ++y) {
+        for (uint32_t x = 0; x < alphaSide; ++x) {
+            const double alpha = alphaAt(input, (x + 0.5) / alphaSide, (y + 0.5) / alphaSide);
+            const auto grey = static_cast<uint8_t>(std::lround(255 * std::clamp(alpha, 0.0, 1.0)));
+            out.picture.set(x, y, {grey, grey, grey});
         }
-        label(column, row, "alpha");
     }
+    return out;
+}
 
-    void square(const Square& source, const Square& map, unsigned column, unsigned row,
-                const std::string& name) {
-        const auto [left, top] = corner(column, row);
-        const double size = double(panel) / map.side;
-        for (unsigned y = 0; y < map.side; ++y) {
-            for (unsigned x = 0; x < map.side; ++x) {
-                const bool isLost = quadmap::isKnown(source.at(x, y)) && !quadmap::isKnown(map.at(x, y));
-                canvas_.fillRect(left + x * size, top + y * size, size, size,
-                                 isLost ? lost : colourOf(map.at(x, y)));
-            }
+// A pixel a region.
+VqPanel squarePanel(const Square& source, const Square& map, const std::string& text) {
+    VqPanel out{Canvas(map.side, map.side, freeColour), text, true};
+    for (unsigned y = 0; y < map.side; ++y) {
+        for (unsigned x = 0; x < map.side; ++x) {
+            const bool isLost = quadmap::isKnown(source.at(x, y)) && !quadmap::isKnown(map.at(x, y));
+            out.picture.set(x, y, isLost ? lost : colourOf(map.at(x, y)));
         }
-        label(column, row, name);
     }
+    return out;
+}
 
-    Canvas take() { return std::move(canvas_); }
-
-  private:
-    static std::pair<uint32_t, uint32_t> corner(unsigned column, unsigned row) {
-        return {gap + column * (panel + gap), gap + row * (panel + gap + caption)};
-    }
-    void label(unsigned column, unsigned row, const std::string& text) {
-        const auto [left, top] = corner(column, row);
-        drawText(canvas_, text, {double(left), double(top + panel) + textSize + 3}, textSize,
-                 report::Anchor::start, overlayInk);
-    }
-
-    Canvas canvas_;
-};
-
-void drawRow(const VqInput& input, const VqMap& map, const Square& source, unsigned row,
-             std::span<const VqMeasure> shown, Sheet& sheet) {
-    sheet.alpha(input, 0, row);
-    sheet.square(source, source, 1, row,
-                 fmt::format("source {}x{}: {:.1f} % known", source.side, source.side,
-                             100 * quadmap::savings(source)));
-    unsigned column = 2;
+std::vector<VqPanel> panelRow(const VqMap& map, const Square& source, std::span<const VqMeasure> shown) {
+    std::vector<VqPanel> row;
+    row.push_back(squarePanel(source, source,
+                              fmt::format("source {}x{}: {:.1f} % known", source.side, source.side,
+                                          100 * quadmap::savings(source))));
     for (const VqMeasure measure : shown) {
         const auto& result = map.results[indexOf(measure)];
         if (!result) continue;
-        sheet.square(source, result->square, column++, row,
-                     fmt::format("{}: {} lost", nameOf(measure), map.totals.substitutions[indexOf(measure)]));
+        row.push_back(squarePanel(
+            source, result->square,
+            fmt::format("{}: {} lost", nameOf(measure), map.totals.substitutions[indexOf(measure)])));
     }
+    return row;
+}
+
+// Enlarged by whole pixels, with its caption below.
+void place(const VqPanel& from, unsigned column, unsigned row, Canvas& sheet) {
+    const uint32_t left = gap + column * (panel + gap);
+    const uint32_t top = gap + row * (panel + gap + caption);
+    const uint32_t times = panel / from.picture.width();
+    for (uint32_t y = 0; y < panel; ++y) {
+        for (uint32_t x = 0; x < panel; ++x)
+            sheet.set(left + x, top + y, from.picture.at(x / times, y / times));
+    }
+    drawText(sheet, from.caption, {double(left), double(top + panel) + textSize + 3}, textSize,
+             report::Anchor::start, overlayInk);
 }
 
 }  // namespace
 
-Canvas drawMap(const VqInput& input, const VqMap& map) {
+VqPanels drawPanels(const VqInput& input, const VqMap& map) {
     static constexpr std::array row16{VqMeasure::vq2Sensible, VqMeasure::vq2Best, VqMeasure::vq2Plus};
     static constexpr std::array row32{VqMeasure::vq4Paper, VqMeasure::vq4Best, VqMeasure::vq4Plus};
-    Sheet sheet;
-    drawRow(input, map, map.source16, 0, row16, sheet);
-    drawRow(input, map, map.source32, 1, row32, sheet);
-    return sheet.take();
+    return {alphaPanel(input), {panelRow(map, map.source16, row16), panelRow(map, map.source32, row32)}};
+}
+
+Canvas drawSheet(const VqPanels& panels) {
+    Canvas sheet(5 * panel + 6 * gap, 2 * (panel + gap + caption) + gap, ground);
+    for (unsigned row = 0; row < panels.rows.size(); ++row) {
+        place(panels.alpha, 0, row, sheet);
+        for (unsigned k = 0; k < panels.rows[row].size(); ++k) place(panels.rows[row][k], k + 1, row, sheet);
+    }
+    return sheet;
+}
+
+report::Legend panelLegend() {
+    return {{{colourOf(Region::transparent), "transparent"},
+             {colourOf(Region::opaque), "opaque"},
+             {colourOf(Region::mixed), "mixed in the source"},
+             {lost, "known in the source, given up by the encoder"},
+             {freeColour, "beyond the triangles"}}};
 }
 
 }  // namespace filigree::jobs

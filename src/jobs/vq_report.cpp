@@ -1,8 +1,9 @@
 #include "jobs/vq_report.h"
 
 #include "filigree/core/file.h"
-#include "filigree/report/page.h"
+#include "filigree/report/number.h"
 
+#include "jobs/command_words.h"
 #include "jobs/json_text.h"
 #include "jobs/vq_encoders.h"
 
@@ -101,32 +102,79 @@ Json useJson(const TransformUse& use) {
     return {{"used", use.used}, {"unique", use.unique}, {"most_frequent_share", use.mostFrequentShare()}};
 }
 
-report::Section chartSection(const std::vector<NamedChart>& charts) {
+constexpr size_t mostPictureBytes = 8'000'000;  // of the page
+
+std::string commandOf(const VqOptions& options) {
+    constexpr size_t mostInputs = 4;  // more would fill the page
+    std::vector<std::string> words{"filigree", "vq"};
+    for (size_t k = 0; k < std::min(options.inputs.size(), mostInputs); ++k)
+        words.push_back(options.inputs[k].string());
+    std::string command = shellCommand(words) + (options.inputs.size() > mostInputs ? " ..." : "");
+    words = {"-o", options.outputFolder.string()};
+    const auto add = [&](const char* option, const std::string& value) {
+        words.insert(words.end(), {option, value});
+    };
+    const VqOptions usual;
+    if (options.prefer != 0) add("--prefer", std::string(1, options.prefer));
+    if (options.cutoff) add("--cutoff", fmt::format("{}", *options.cutoff));
+    if (options.guard != usual.guard) add("--guard", fmt::format("{}", options.guard));
+    if (options.limit != usual.limit) add("--limit", std::to_string(options.limit));
+    if (options.mapsPerTexture != usual.mapsPerTexture) add("--maps", std::to_string(options.mapsPerTexture));
+    return command + ' ' + shellCommand(words);
+}
+
+report::Section chartSection(const std::vector<NamedChart>& charts, const std::string& command) {
+    static constexpr std::array captions{
+        "16 x 16 regions: the map itself, what 256 bits keep of it with VQ2, and two 64-sub-triangle masks "
+        "of the same "
+        "size (figure 6 of Fenney and Ozkan 2023).",
+        "Maps of 8 x 8 to 64 x 64 regions before compression: each step saves less (figure 7).",
+        "32 x 32 regions: the map itself, what 512 bits keep of it with VQ4, and a plain 16 x 16 map of the "
+        "same size "
+        "(figure 10)."};
     report::Section section{"Savings, texture by texture", {}};
-    for (const NamedChart& named : charts)
-        section.blocks.emplace_back(report::Figure{report::layOut(named.chart), named.chart.title, {}});
+    for (size_t k = 0; k < charts.size(); ++k)
+        section.blocks.emplace_back(report::chartFigure(charts[k].chart, captions[k], command));
     return section;
 }
 
-report::Section pictureSection(const std::vector<std::string>& pictures) {
-    report::Links links;
-    for (const std::string& file : pictures) links.links.push_back({file, file});
-    return {"What each encoding makes of a map",
-            {report::Paragraph{
-                 "Known regions are blue, mixed ones orange; what an encoder had to give up is yellow."},
-             links}};
+size_t pageBytes(const report::Gallery::Item& item) {
+    size_t bytes = 0;
+    for (const auto& tile : item.tiles) bytes += tile.picture.png.size() * 4 / 3 + 200;
+    return bytes;
 }
 
-report::Page pageOf(const VqSummary& summary, const std::vector<NamedChart>& charts,
-                    const std::vector<std::string>& pictures) {
+report::Section pictureSection(const std::vector<VqPicture>& pictures, const std::string& command) {
+    report::Gallery gallery;
+    gallery.command = command;
+    size_t bytes = 0;
+    for (const VqPicture& picture : pictures) {
+        bytes += pageBytes(picture.item);
+        if (bytes > mostPictureBytes) break;
+        gallery.items.push_back(picture.item);
+    }
+    report::Section section{"What each encoding makes of a map", {panelLegend()}};
+    if (gallery.items.size() < pictures.size())
+        section.blocks.emplace_back(report::Paragraph{fmt::format(
+            "To keep the page small, it shows the first {} of {} textures; all stand beside it as map-*.png.",
+            gallery.items.size(), pictures.size())});
+    section.blocks.emplace_back(std::move(gallery));
+    return section;
+}
+
+report::Page pageOf(const VqOptions& options, const VqSummary& summary,
+                    const std::vector<VqPicture>& pictures) {
     report::Page page;
     page.title = "Opacity squares";
-    page.lead = fmt::format("{} textures, {} maps.", summary.textures.size(), summary.totals.maps);
-    page.sections.push_back({"In the mean", {vqTable(summary)}});
-    page.sections.push_back(chartSection(charts));
-    page.sections.push_back({"Textures", {vqTextureTable(summary)}});
-    if (!pictures.empty()) page.sections.push_back(pictureSection(pictures));
+    page.lead =
+        fmt::format("{} textures, {} maps: the share of alpha tests that a map of each kind saves.",
+                    report::formatCount(summary.textures.size()), report::formatCount(summary.totals.maps));
+    page.sections = vqSections(options, summary, pictures);
     return page;
+}
+
+std::string shareText(const VqTexture& texture, VqMeasure measure) {
+    return fmt::format("{} {:.1f} %", nameOf(measure), 100 * texture.totals.mean(measure));
 }
 
 }  // namespace
@@ -180,16 +228,50 @@ report::Table vqTextureTable(const VqSummary& summary) {
     return table;
 }
 
+Result<report::Gallery::Item> galleryItem(const VqTexture& texture, const VqPanels& panels) {
+    using enum VqMeasure;
+    report::Gallery::Item item{
+        texture.name,
+        fmt::format("{}, {}; {}, {}", shareText(texture, source16), shareText(texture, vq2Best),
+                    shareText(texture, source32), shareText(texture, vq4Best)),
+        {}};
+    std::vector<const VqPanel*> order{&panels.alpha};
+    for (const auto& row : panels.rows) {
+        for (const VqPanel& panel : row) order.push_back(&panel);
+    }
+    for (const VqPanel* panel : order) {
+        auto png = panel->picture.png();
+        if (!png) return png.error();
+        report::Picture picture{std::move(*png), panel->picture.width(), panel->picture.height(),
+                                panel->caption, ""};
+        picture.pixelated = panel->isSquare;
+        item.tiles.push_back({std::move(picture), panel->caption});
+    }
+    return item;
+}
+
+std::vector<report::Section> vqSections(const VqOptions& options, const VqSummary& summary,
+                                        const std::vector<VqPicture>& pictures) {
+    const std::string command = commandOf(options);
+    std::vector<report::Section> sections;
+    report::Table mean = vqTable(summary);
+    mean.command = command;
+    sections.push_back({"In the mean", {std::move(mean)}});
+    sections.push_back(chartSection(vqCharts(summary), command));
+    if (!pictures.empty()) sections.push_back(pictureSection(pictures, command));
+    sections.push_back({"Textures", {vqTextureTable(summary)}});
+    return sections;
+}
+
 Status writeVqReport(const VqOptions& options, const VqSummary& summary,
-                     const std::vector<std::string>& pictures) {
-    const auto charts = vqCharts(summary);
-    for (const NamedChart& named : charts) {
+                     const std::vector<VqPicture>& pictures) {
+    for (const NamedChart& named : vqCharts(summary)) {
         const std::string svg = report::toSvg(report::layOut(named.chart));
         if (auto written = writeFile(options.outputFolder / named.file, svg); !written) return written;
     }
     const std::string csv = report::toCsv(vqTextureTable(summary));
     if (auto written = writeFile(options.outputFolder / "vq.csv", csv); !written) return written;
-    return writeFile(options.outputFolder / "index.html", report::toHtml(pageOf(summary, charts, pictures)));
+    return writeFile(options.outputFolder / "index.html", report::toHtml(pageOf(options, summary, pictures)));
 }
 
 std::string toJson(const VqSummary& s) {

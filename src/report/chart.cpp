@@ -61,8 +61,7 @@ Scale barScale(const BarChart& chart, Range range) {
 std::vector<LegendEntry> barLegend(const BarChart& chart) {
     std::vector<LegendEntry> entries;
     for (const auto& series : chart.series) {
-        if (!series.name.empty() && series.colours.empty())
-            entries.push_back({series.name, series.colour, false});
+        if (!series.name.empty() && series.colours.empty()) entries.push_back({series.name, series.colour});
     }
     return entries;
 }
@@ -145,10 +144,12 @@ std::pair<Range, Range> lineRanges(const LineChart& chart) {
 std::vector<LegendEntry> lineLegend(const LineChart& chart) {
     std::vector<LegendEntry> entries;
     for (const auto& series : chart.series) {
-        if (!series.name.empty()) entries.push_back({series.name, series.colour, true});
+        if (!series.name.empty()) entries.push_back({series.name, series.colour, true, series.dashed});
     }
     return entries;
 }
+
+constexpr double mostWholeTicks = 16;
 
 // Dots of longer series would run into each other.
 constexpr size_t mostDots = 60;
@@ -217,7 +218,8 @@ Drawing layOut(const LineChart& chart, double width, double height) {
         plot.addNoData();
         return std::move(plot.drawing);
     }
-    const Scale xs(xRange.lo, xRange.hi, chart.x.log);
+    const bool few = chart.x.whole && !chart.x.log && xRange.hi - xRange.lo <= mostWholeTicks;
+    const Scale xs = few ? Scale::whole(xRange.lo, xRange.hi) : Scale(xRange.lo, xRange.hi, chart.x.log);
     const Scale ys(yRange.lo, yRange.hi, chart.y.log);
     plot.addLegend(lineLegend(chart));
     plot.addYAxis(chart.y, ys, chart.x);

@@ -35,9 +35,15 @@ std::string contentHtml(const Picture& p) {
     return p.file.empty() ? image : fmt::format("<a href=\"{}\">{}</a>", url, image);
 }
 
+std::string contentHtml(const Figure& figure) {
+    const std::string content = std::visit([](const auto& c) { return contentHtml(c); }, figure.content);
+    if (!figure.narrow) return content;
+    return "<div class=\"wide\">" + content + "</div><div class=\"narrow\">" + contentHtml(*figure.narrow) +
+           "</div>";
+}
+
 std::string blockHtml(const Figure& figure) {
-    return fmt::format("<figure>{}<figcaption>{}</figcaption>{}</figure>\n",
-                       std::visit([](const auto& content) { return contentHtml(content); }, figure.content),
+    return fmt::format("<figure>{}<figcaption>{}</figcaption>{}</figure>\n", contentHtml(figure),
                        escapeHtml(figure.caption), commandHtml(figure.command));
 }
 
@@ -137,7 +143,20 @@ std::string sectionHtml(const Section& section, size_t number) {
     return out + "</section>\n";
 }
 
+template <class Chart>
+Figure layOutTwice(const Chart& chart, std::string caption, std::string command) {
+    return {layOut(chart), std::move(caption), std::move(command), layOut(chart, 350, 300)};
+}
+
 }  // namespace
+
+Figure chartFigure(const BarChart& chart, std::string caption, std::string command) {
+    return layOutTwice(chart, std::move(caption), std::move(command));
+}
+
+Figure chartFigure(const LineChart& chart, std::string caption, std::string command) {
+    return layOutTwice(chart, std::move(caption), std::move(command));
+}
 
 std::string toHtml(const Page& page) {
     std::string out = fmt::format(

@@ -48,17 +48,17 @@ void Plot::addLegend(const std::vector<LegendEntry>& entries) {
     if (entries.empty()) return;
     double x = left;
     for (const LegendEntry& e : entries) {
-        const double width = 18 + textWidth(e.name, textSize) + 16;
+        const double width = 21 + textWidth(e.name, textSize) + 14;
         if (x > left && x + width > right) {
             x = left;
             top += 18;
         }
         if (e.line) {
-            drawing.shapes.push_back(Polyline{{{x, top + 2}, {x + 14, top + 2}}, e.colour, 3, false});
+            drawing.shapes.push_back(Polyline{{{x, top + 2}, {x + 16, top + 2}}, e.colour, 3, e.dashed});
         } else {
             drawing.shapes.push_back(Rect{x + 1, top - 4, 12, 12, e.colour, ""});
         }
-        drawing.shapes.push_back(Text{x + 18, top + 6, shortened(e.name, right - x - 18), textSize,
+        drawing.shapes.push_back(Text{x + 21, top + 6, shortened(e.name, right - x - 21), textSize,
                                       Anchor::start, Ink::text, false, false});
         x += width;
     }

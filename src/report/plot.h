@@ -14,6 +14,7 @@ struct LegendEntry {
     std::string name;
     Colour colour;
     bool line = false;  // a stroke instead of a box
+    bool dashed = false;
 };
 
 // A tick of the horizontal axis: its place in [0, 1] and its text.

@@ -29,6 +29,15 @@ Scale::Scale(double lo, double hi, bool log) : lo_(lo), hi_(hi), log_(log) {
     }
 }
 
+Scale Scale::whole(double lo, double hi) {
+    Scale scale(lo, std::max(hi, lo + 1), false);
+    scale.lo_ = lo;
+    scale.hi_ = std::max(hi, lo + 1);
+    scale.ticks_.clear();
+    for (double tick = lo; tick <= scale.hi_; ++tick) scale.ticks_.push_back(tick);
+    return scale;
+}
+
 void Scale::makeLinear() {
     if (hi_ == lo_) hi_ = lo_ + std::max(1.0, std::abs(lo_));
     const double step = niceStep(hi_ - lo_);

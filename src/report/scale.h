@@ -10,6 +10,9 @@ class Scale {
     // Covers [lo, hi], widened to whole ticks. A logarithmic scale needs 0 < lo <= hi.
     Scale(double lo, double hi, bool log);
 
+    // A linear scale over exactly [lo, hi], whole numbers with a tick at each.
+    static Scale whole(double lo, double hi);
+
     // 0 at the low end of the axis, 1 at the high end; beyond for values beyond.
     [[nodiscard]] double at(double value) const;
     [[nodiscard]] const std::vector<double>& ticks() const { return ticks_; }

@@ -6,6 +6,7 @@
 
 #include "io/temp_folder.h"
 #include "jobs/demo_scene.h"
+#include "jobs/command_words.h"
 #include "jobs/inspection.h"
 #include "jobs/small_scene.h"
 

@@ -7,6 +7,7 @@
 #include "filigree/core/result.h"
 #include "filigree/jobs/bake.h"
 #include "filigree/report/chart.h"
+#include "filigree/report/page.h"
 #include "filigree/report/table.h"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct CompareOptions {
     std::vector<unsigned> states{2, 4};  // 2, 4 or both
     BakeParameters parameters;           // when a state is known; states and levels are those above
     std::filesystem::path outputFolder;  // for a CSV file and charts; empty: none are written
+    std::filesystem::path page;          // .html with charts and tables; empty: none is written
 };
 
 // An encoding at one level. All bytes are those of the whole scene, equal maps once.
@@ -63,6 +65,9 @@ report::Table rowTable(const CompareSummary& summary);
 
 // The totals over the level.
 report::LineChart comparisonChart(const CompareSummary& summary, unsigned states);
+
+// Charts and tables of all, for a page.
+std::vector<report::Section> comparisonSections(const CompareSummary& summary, const CompareOptions& options);
 
 // The machine-readable result: one JSON object.
 std::string toJson(const CompareSummary& summary);

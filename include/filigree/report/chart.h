@@ -14,6 +14,7 @@ struct Axis {
     std::string unit{};  // shown after the label; empty for none
     bool log = false;    // logarithmic; values that are not positive are then left out
     bool share = false;  // values are shares of one and show as percent
+    bool whole = false;  // of a line chart's x: whole numbers, each with a tick where they are few
 };
 
 // A colour for the series `index` of a chart: eight that stay apart for colour-blind readers, on light and

@@ -1,11 +1,13 @@
 // One self-contained HTML page: it fetches nothing, and follows the reader's light or dark theme.
 #pragma once
 
+#include "filigree/report/chart.h"
 #include "filigree/report/drawing.h"
 #include "filigree/report/map_view.h"
 #include "filigree/report/table.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,8 +27,13 @@ struct Picture {
 struct Figure {
     std::variant<Picture, Drawing> content;
     std::string caption;
-    std::string command;  // that makes it again; empty for none
+    std::string command;              // that makes it again; empty for none
+    std::optional<Drawing> narrow{};  // in place of a Drawing in narrow windows
 };
+
+// A chart laid out for wide windows and for phones.
+Figure chartFigure(const BarChart& chart, std::string caption, std::string command);
+Figure chartFigure(const LineChart& chart, std::string caption, std::string command);
 
 // Figures beside each other where the window is wide enough.
 struct FigureRow {
