@@ -1,22 +1,23 @@
 #include "grid/choice.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace filigree::grid {
 namespace {
 
-// Whether tiles of these quads take fewer bytes than a cluster's share for as many loose triangles: estimates
-// of what the codec `lattice` needs for a leaf, a vertex in it, and a loose triangle.
-bool isWorthAGrid(const GrownGrid& grid) {
-    constexpr double leafBytes = 36;
-    constexpr double vertexBytes = 3.6;
-    constexpr double triangleBytes = 4.5;
+// The bytes that a grid saves over as many loose triangles: estimates of what the codec `lattice` needs for a
+// leaf, a vertex in it, and a loose triangle.
+double savingOf(const GrownGrid& grid) {
+    constexpr double leafBytes = 50;
+    constexpr double vertexBytes = 3;
+    constexpr double triangleBytes = 3.2;
     constexpr uint32_t tileQuads = 16;
     const auto tilesAlong = [](uint32_t quads) { return 1.0 + (quads - 1) / tileQuads; };
     const double leaves = tilesAlong(grid.columns) * tilesAlong(grid.rows);
     const double vertices = (grid.columns + 1.0) * (grid.rows + 1.0);
     const double triangles = 2.0 * static_cast<double>(grid.quadCount());
-    return leafBytes * leaves + vertexBytes * vertices < triangleBytes * triangles;
+    return triangleBytes * triangles - leafBytes * leaves - vertexBytes * vertices;
 }
 
 // Largest grids first, lazily: a seed is tried again only where it, or a grid it was in, came up to the size
@@ -43,7 +44,7 @@ class Choosing {
         for (uint32_t t = 0; t < hopes_.size(); ++t) {
             if (hopes_[t] < least || !growth_.isFree(t)) continue;
             growAround(t);
-            if (best_.quadCount() >= least && isWorthAGrid(best_)) {
+            if (best_.quadCount() >= least && saving_ > 0) {
                 growth_.take(best_);
                 free_ -= 2 * best_.quadCount();
                 choice_.grids.push_back(std::move(best_));
@@ -57,6 +58,7 @@ class Choosing {
     // in other orders.
     void growAround(uint32_t triangle) {
         best_ = {};
+        saving_ = -std::numeric_limits<double>::infinity();
         const uint8_t diagonal = topology_.diagonal[triangle];
         uint32_t bestDiagonal = noEdge;
         for (uint8_t k = 0; k < 3; ++k) {
@@ -72,9 +74,10 @@ class Choosing {
     // Whether that is the best so far.
     bool growOver(uint32_t diagonal, GrowthOrder order) {
         const GrownGrid& grown = growth_.grow(diagonal, order);
-        const bool better = grown.quadCount() > best_.quadCount();
-        if (better) best_ = grown;
-        return better;
+        if (grown.quads.empty() || savingOf(grown) <= saving_) return false;
+        best_ = grown;
+        saving_ = savingOf(grown);
+        return true;
     }
 
     [[nodiscard]] bool isAlmostAll(const GrownGrid& grid) const {
@@ -88,7 +91,7 @@ class Choosing {
             for (const uint32_t t : {quad.edge / 3, parts.second})
                 hopes_[t] = static_cast<uint32_t>(std::min<uint64_t>(hopes_[t], hope));
         }
-        hopes_[seed] = static_cast<uint32_t>(hope);
+        hopes_[seed] = saving_ > 0 ? static_cast<uint32_t>(hope) : 0;
     }
 
     const Topology& topology_;
@@ -96,6 +99,7 @@ class Choosing {
     std::vector<uint32_t> hopes_;  // [triangle_count], quads of the grid that it may come into
     uint64_t free_;                // triangles
     GrownGrid best_;
+    double saving_ = 0;  // of best_
     Choice choice_;
 };
 

@@ -68,16 +68,22 @@ Growth::Growth(const Topology& topology, std::span<const Vec3> positions, const 
 
 const GrownGrid& Growth::grow(uint32_t diagonal, GrowthOrder order) {
     if (!seed(diagonal)) return grid_;
-    if (order == GrowthOrder::columnsFirst) {
-        while (growInTurn(columnSides)) {
-        }
-    } else if (order == GrowthOrder::rowsFirst) {
-        while (growInTurn(rowSides)) {
-        }
+    bool goesOn = growInTurn(allSides);
+    if (order != GrowthOrder::inTurn) {
+        const auto first = order == GrowthOrder::columnsFirst ? columnSides : rowSides;
+        while (goesOn && !isStrip()) goesOn = growInTurn(first);
+        goesOn = true;
     }
-    while (growInTurn(allSides)) {
-    }
+    while (goesOn && !isStrip()) goesOn = growInTurn(allSides);
     return grid_;
+}
+
+// One quad wide for good: not worth a grid, and it may be long.
+bool Growth::isStrip() const {
+    const auto blocked = [&](std::span<const Side> sides) {
+        return std::ranges::all_of(sides, [&](Side side) { return blocked_[static_cast<size_t>(side)]; });
+    };
+    return (grid_.columns == 1 && blocked(columnSides)) || (grid_.rows == 1 && blocked(rowSides));
 }
 
 void Growth::take(const GrownGrid& grid) {

@@ -71,7 +71,8 @@ class Growth {
     Growth(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules);
 
     // The largest rectangle of free triangles that whole rows and columns around the quad over half-edge
-    // `diagonal` give; no quads where there is none. Stays until the next call.
+    // `diagonal` give; no quads where there is none. What must stay one quad wide is given up on the way.
+    // Stays until the next call.
     const GrownGrid& grow(uint32_t diagonal, GrowthOrder order);
 
     // Takes the triangles of a grid for good.
@@ -103,6 +104,7 @@ class Growth {
 
     void beginEpoch();
     bool seed(uint32_t diagonal);
+    [[nodiscard]] bool isStrip() const;
     bool growSide(Side side);
     bool growInTurn(std::span<const Side> sides);
     bool sweep(Side side, bool firstIsBd, Trial& trial);

@@ -245,6 +245,12 @@ TEST(Convert, TanglesKeepTheirTriangles) {
     }
 }
 
+TEST(Convert, LongGridsAreCut) {
+    const GridMesh grids = converted(quadSheet({65600, 3}));
+    ASSERT_EQ(grids.grids.size(), 2U);
+    EXPECT_EQ(std::max(grids.grids[0].columns, grids.grids[0].rows), 65536U);
+}
+
 TEST(Convert, DamageCostsLittle) {
     FaceMesh mesh = inTriangles(quadSheet({100, 100}));
     std::mt19937 random(5);
