@@ -52,7 +52,7 @@ Status checkForCodec(const GridsOptions& options, grid::Codec codec) {
     if ((options.cell || options.heightScale) && !isHeightfield(options.input))
         return gridUsage("--cell and --height-scale: are for heightfields (.png)");
     if (!options.errorMap.empty() && options.errorMap.extension() != ".png")
-        return gridUsage(fmt::format("{}: the error map is a PNG; give a name that ends in .png",
+        return gridUsage(fmt::format("--error-map {}: is a PNG; give a name that ends in .png",
                                      options.errorMap.string()));
     return {};
 }

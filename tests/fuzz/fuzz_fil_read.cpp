@@ -2,7 +2,9 @@
 // the hashes is reached. None may crash, hang or take much memory.
 #include "filigree/encoding/bitmask.h"
 #include "filigree/encoding/map_reader.h"
+#include "filigree/grid/decode_grids.h"
 #include "filigree/io/fil.h"
+#include "filigree/io/fil_grids.h"
 #include "filigree/io/fil_squares.h"
 
 #include "sample_fil.h"
@@ -43,13 +45,25 @@ void readSquares(std::vector<uint8_t> bytes) {
     }
 }
 
+void readGrids(std::span<const uint8_t> bytes) {
+    using namespace filigree;
+    io::FilReadOptions options;
+    options.maxBytes = uint64_t{64} << 20;
+    const auto file = io::parseFilGrids(bytes, "input", serialExecutor(), options);
+    if (file)
+        static_cast<void>(
+            grid::decodeGrids(file->grids, file->table, file->looseTriangles, serialExecutor()));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     std::vector<uint8_t> bytes(data, data + size);
     readAll(bytes);
     readSquares(bytes);
+    readGrids(bytes);
     filigree::tests::resealFil(bytes);
+    readGrids(bytes);
     readAll(bytes);
     readSquares(std::move(bytes));
     return 0;

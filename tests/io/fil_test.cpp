@@ -154,7 +154,7 @@ TEST(Fil, AnErrorNamesFileAndPlace) {
     EXPECT_THAT(parseError({}), HasSubstr("x.fil: the first bytes"));
     EXPECT_THAT(changed(8, 2), HasSubstr("version 2, expected 1"));
     EXPECT_THAT(changed(12, 65), HasSubstr("65 sections"));
-    EXPECT_THAT(changed(entries, 9), HasSubstr("of kind 9: not known"));
+    EXPECT_THAT(changed(entries, 99), HasSubstr("of kind 99: not known"));
     EXPECT_THAT(changed(entries, 2), HasSubstr("indices: stands twice"));
     EXPECT_THAT(changed(entries + 4, 2), HasSubstr("meta: flags"));
     EXPECT_THAT(changed(entries + 8, 1), HasSubstr("begins at"));
