@@ -170,7 +170,7 @@ void encodeTile(const Tile& tile, std::vector<uint8_t>& records) {
     const CornerDeltas corners = cornerDeltas(tile);
     setCornerWidths(corners, head);
     const TileResiduals residuals = residualsOf(tile, head);
-    chooseShear(residuals.all(), head);
+    choosePrediction(residuals.all(), head);
     BlockBytes blocks{};
     chooseWidths(residuals.all(), head, blocks);
     ReachChoice(tile, head, blocks).choose();
@@ -186,7 +186,7 @@ void encodeTile(const Tile& tile, std::vector<uint8_t>& records) {
                                                     inside ? dropOf(blocks[residual.block]) : 0);
         std::array<unsigned, 3> bias = even;
         bias[head.dominant] = fields.dominantBias;
-        bits.put(unsheared(head, residual), fields.width, bias);
+        bits.put(fieldValue(head, residual), fields.width, bias);
     }
 
     const size_t begin = records.size();

@@ -113,11 +113,15 @@ inline FieldWidths fineFields(const TileHeader& head, ResidualClass c, unsigned 
 constexpr std::array<unsigned, 2> minorAxes(unsigned dominant) {
     return {dominant == 0 ? 1U : 0U, dominant == 2 ? 1U : 2U};
 }
+// `slope` 256ths of a dominant residual.
+constexpr int32_t sheared(int32_t slope, int32_t r) {
+    return wrappedSum(wrappedProduct(slope, r), 128) >> 8;
+}
 // What the dominant residual r adds to that of minor axis `minor` (0 or 1) at place (x, y) of the frame.
 inline int32_t shearOf(const TileHeader& head, unsigned minor, unsigned x, unsigned y, int32_t r) {
-    const int32_t slope = 8 * head.shear[minor] + head.shearColumn[minor] * (static_cast<int32_t>(x) - 8) +
-                          head.shearRow[minor] * (static_cast<int32_t>(y) - 8);
-    return wrappedSum(wrappedProduct(slope, r), 128) >> 8;
+    return sheared(8 * head.shear[minor] + head.shearColumn[minor] * (static_cast<int32_t>(x) - 8) +
+                       head.shearRow[minor] * (static_cast<int32_t>(y) - 8),
+                   r);
 }
 
 }  // namespace filigree::grid

@@ -38,6 +38,11 @@ constexpr int32_t mid(int32_t p, int32_t q, unsigned steps) {
     return steps == 3 ? p + ((85 * (q - p) + 128) >> 8) : half(p, q);
 }
 
+// What a bend of 2 m - p - q around a line's middle m adds to its quarters.
+constexpr int32_t curveOf(unsigned curve, int32_t bend) {
+    return (static_cast<int32_t>(curve) * bend + 16) >> 5;
+}
+
 // The points of a patch inside an array of `stride` points a row.
 class Patch {
   public:
@@ -61,6 +66,16 @@ class Patch {
                     visit(x, y, diagonal, diagonalPrediction(x, y));
     }
 
+    // The bend that the curve takes part of, at a quarter of an edge or a cross.
+    [[nodiscard]] LatticePoint bendAt(unsigned x, unsigned y) const {
+        const bool across = x % 2 != 0;
+        if ((across ? columns_ : rows_) != 4) return {};
+        const LatticePoint& two = across ? at(2, y) : at(x, 2);
+        const LatticePoint& low = across ? at(0, y) : at(x, 0);
+        const LatticePoint& high = across ? at(4, y) : at(x, 4);
+        return perAxis([&](size_t k) { return 2 * two[k] - low[k] - high[k]; });
+    }
+
   private:
     template <class Of>
     static LatticePoint perAxis(const Of& of) {
@@ -69,10 +84,9 @@ class Patch {
     // Between places 2 and `end` of five in a line, of which `other` is the far end.
     [[nodiscard]] LatticePoint quarter(const LatticePoint& end, const LatticePoint& two,
                                        const LatticePoint& other, unsigned steps) const {
-        const auto curve = static_cast<int32_t>(steps == 4 ? curve_ : 0);
-        return perAxis([&](size_t k) {
-            return half(end[k], two[k]) + ((curve * (2 * two[k] - end[k] - other[k]) + 16) >> 5);
-        });
+        const unsigned curve = steps == 4 ? curve_ : 0;
+        return perAxis(
+            [&](size_t k) { return half(end[k], two[k]) + curveOf(curve, 2 * two[k] - end[k] - other[k]); });
     }
     [[nodiscard]] LatticePoint middle(const LatticePoint& p, const LatticePoint& q, unsigned steps) const {
         return perAxis([&](size_t k) { return mid(p[k], q[k], steps); });

@@ -30,7 +30,7 @@ using Extents = std::array<std::array<std::array<Extent, 3>, noBlock + 1>, resid
 Extents extentsOf(std::span<const TileResidual> residuals, const TileHeader& head) {
     Extents extents;
     for (const TileResidual& residual : residuals) {
-        const LatticePoint value = unsheared(head, residual);
+        const LatticePoint value = fieldValue(head, residual);
         for (unsigned k = 0; k < 3; ++k) extents[residual.group][residual.block][k].extend(value[k]);
     }
     return extents;
@@ -46,14 +46,17 @@ Extent extentOverBlocks(const Extents& extents, unsigned group, unsigned axis) {
 unsigned bestBias(const Extents& extents, unsigned group, unsigned axis) {
     const Extent all = extentOverBlocks(extents, group, axis);
     unsigned best = evenBias;
-    uint64_t least = std::numeric_limits<uint64_t>::max();
+    unsigned width = all.width(evenBias);
+    unsigned least = std::numeric_limits<unsigned>::max();
     for (const unsigned bias : {4U, 3U, 5U, 2U, 6U, 1U, 7U, 0U}) {
-        uint64_t cost = uint64_t{1000} * all.width(bias);
-        for (const auto& block : extents[group]) cost += block[axis].width(bias);
-        if (cost < least) {
-            least = cost;
-            best = bias;
-        }
+        const unsigned needed = all.width(bias);
+        if (needed > width) continue;
+        unsigned sum = 0;
+        for (const auto& block : extents[group]) sum += block[axis].width(bias);
+        if (needed == width && sum >= least) continue;
+        best = bias;
+        width = needed;
+        least = sum;
     }
     return best;
 }
@@ -67,6 +70,24 @@ uint8_t dropFor(const Extents& extents, const TileHeader& head, unsigned block) 
             if (needed != 0) least = std::min({least, head.width[k][c] - needed, 2U});
         }
     return static_cast<uint8_t>(least);
+}
+
+TileFrame frameOf(const Tile& tile, const TileHeader& head) {
+    TileFrame frame;
+    for (unsigned row = 0; row <= head.rows; ++row)
+        for (unsigned column = 0; column <= head.columns; ++column)
+            frame.fineAt(framePlace(head.columns, column), framePlace(head.rows, row)) = tile.at(column, row);
+    for (unsigned j = 0; j <= head.blockRows(); ++j)
+        for (unsigned i = 0; i <= head.blockColumns(); ++i)
+            frame.coarseAt(placesOfSteps[head.blockColumns()][i], placesOfSteps[head.blockRows()][j]) =
+                frame.fineAt(4 * i, 4 * j);
+    return frame;
+}
+
+LatticePoint residualFrom(const LatticePoint& point, const LatticePoint& prediction) {
+    LatticePoint residual{};
+    for (unsigned k = 0; k < 3; ++k) residual[k] = wrappedResidual(point[k] - prediction[k]);
+    return residual;
 }
 
 }  // namespace
@@ -83,46 +104,38 @@ unsigned widthFor(int32_t low, int32_t high, unsigned bias) {
 }
 
 TileResiduals residualsOf(const Tile& tile, const TileHeader& head) {
-    TileFrame frame;
-    for (unsigned row = 0; row <= head.rows; ++row)
-        for (unsigned column = 0; column <= head.columns; ++column)
-            frame.fineAt(framePlace(head.columns, column), framePlace(head.rows, row)) = tile.at(column, row);
-    for (unsigned j = 0; j <= head.blockRows(); ++j)
-        for (unsigned i = 0; i <= head.blockColumns(); ++i)
-            frame.coarseAt(placesOfSteps[head.blockColumns()][i], placesOfSteps[head.blockRows()][j]) =
-                frame.fineAt(4 * i, 4 * j);
-
-    TileFrame less;
-    const auto difference = [](const LatticePoint& p, const LatticePoint& prediction) {
-        LatticePoint residual{};
-        for (unsigned k = 0; k < 3; ++k) residual[k] = wrappedResidual(p[k] - prediction[k]);
-        return residual;
-    };
+    TileFrame frame = frameOf(tile, head), less, bends;
+    TileHeader straight = head;
+    straight.curve = 0;
     Patch coarse = frame.coarsePatch(head);
     coarse.walk([&](unsigned px, unsigned py, ResidualClass, const LatticePoint& prediction) {
-        less.coarseAt(px, py) = difference(coarse.at(px, py), prediction);
+        less.coarseAt(px, py) = residualFrom(coarse.at(px, py), prediction);
     });
     for (unsigned j = 0; j < head.blockRows(); ++j)
         for (unsigned i = 0; i < head.blockColumns(); ++i) {
-            Patch patch = frame.blockPatch(head, i, j);
-            patch.walk([&](unsigned px, unsigned py, ResidualClass, const LatticePoint& prediction) {
-                less.fineAt(4 * i + px, 4 * j + py) = difference(patch.at(px, py), prediction);
+            Patch patch = frame.blockPatch(straight, i, j);
+            patch.walk([&](unsigned px, unsigned py, ResidualClass c, const LatticePoint& prediction) {
+                less.fineAt(4 * i + px, 4 * j + py) = residualFrom(patch.at(px, py), prediction);
+                if (c == edgeQuarter || c == cross)
+                    bends.fineAt(4 * i + px, 4 * j + py) = patch.bendAt(px, py);
             });
         }
 
     TileResiduals residuals;
     const auto narrow = [](unsigned value) { return static_cast<uint8_t>(value); };
     walkCoarse(head, [&](unsigned px, unsigned py) {
-        residuals.add({less.coarseAt(px, py), narrow(4 * px), narrow(4 * py), coarseGroup, noBlock});
+        residuals.add({less.coarseAt(px, py), {}, narrow(4 * px), narrow(4 * py), coarseGroup, noBlock});
     });
     walkFine(head, [&](ResidualClass c, unsigned x, unsigned y, unsigned block) {
-        residuals.add({less.fineAt(x, y), narrow(x), narrow(y), narrow(c), narrow(block)});
+        residuals.add(
+            {less.fineAt(x, y), bends.fineAt(x, y), narrow(x), narrow(y), narrow(c), narrow(block)});
     });
     return residuals;
 }
 
-LatticePoint unsheared(const TileHeader& head, const TileResidual& residual) {
-    LatticePoint value = residual.value;
+LatticePoint fieldValue(const TileHeader& head, const TileResidual& residual) {
+    LatticePoint value{};
+    for (unsigned k = 0; k < 3; ++k) value[k] = straightened(residual, k, head.curve);
     const int32_t main = value[head.dominant];
     const auto minors = minorAxes(head.dominant);
     for (unsigned m = 0; m < 2; ++m)

@@ -1,4 +1,4 @@
-// What an encoder chooses for a tile: shear, widths, biases and drops.
+// What an encoder chooses for a tile: prediction, widths, biases and drops.
 #pragma once
 
 #include "filigree/grid/tile.h"
@@ -14,7 +14,8 @@ namespace filigree::grid {
 
 // A vertex of the bit string behind the tile's corners.
 struct TileResidual {
-    LatticePoint value{};  // each in [-2^23, 2^23)
+    LatticePoint value{};  // each in [-2^23, 2^23), for curve 0
+    LatticePoint bend{};   // what a curve of 32 would add to the prediction
     uint8_t x = 0;         // for shearOf
     uint8_t y = 0;
     uint8_t group = 0;  // a ResidualClass, or coarseGroup
@@ -34,8 +35,13 @@ struct TileResiduals {
 // Vertices less their predictions. `head` holds the tile's size.
 TileResiduals residualsOf(const Tile& tile, const TileHeader& head);
 
-// A residual as its fields hold it: less what the shear gives.
-LatticePoint unsheared(const TileHeader& head, const TileResidual& residual);
+// A residual on one axis, of a curve.
+inline int32_t straightened(const TileResidual& residual, unsigned axis, unsigned curve) {
+    return wrappedResidual(residual.value[axis] - curveOf(curve, residual.bend[axis]));
+}
+
+// A residual as its fields hold it: less what curve and shear give.
+LatticePoint fieldValue(const TileHeader& head, const TileResidual& residual);
 
 // Least width that holds [low, high] with a bias, 25 where none does.
 unsigned widthFor(int32_t low, int32_t high, unsigned bias);
@@ -45,7 +51,7 @@ unsigned widthFor(int32_t low, int32_t high, unsigned bias);
 uint32_t chooseWidths(std::span<const TileResidual> residuals, TileHeader& head,
                       std::array<uint8_t, tileBlocks * tileBlocks>& drops);
 
-// Sets the dominant axis and the shear.
-void chooseShear(std::span<const TileResidual> residuals, TileHeader& head);
+// Sets the dominant axis, the curve and the shear.
+void choosePrediction(std::span<const TileResidual> residuals, TileHeader& head);
 
 }  // namespace filigree::grid
