@@ -35,7 +35,7 @@ void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option_function<std::string>("--level", setLevel,
                                           "Bake at this level, or auto: the highest useful one per triangle, "
                                           "at most 8; without, the file's "
-                                          "own micromaps, auto where it has none")
+                                          "own micromaps, or auto up to 6 where it has none")
         ->type_name("0..12|auto");
 }
 
