@@ -1,5 +1,7 @@
 #include "filigree/jobs/demo.h"
 
+#include "filigree/report/number.h"
+
 #include "bake_options.h"
 #include "command.h"
 
@@ -21,6 +23,9 @@ void addDemo(CLI::App& app, Commands& commands) {
         auto progress = command.progress();
         return command.finish(jobs::demo(*options, *command.executor(), progress), [](const auto& summary) {
             printSummary(summary.bake);
+            fmt::print("terrain: {} triangles in {:.3f} bytes each, {}\n",
+                       report::formatCount(summary.grids.statistics.triangles),
+                       summary.grids.bytesPerTriangle(), summary.terrain.string());
             fmt::print("{} pictures, {}\n", summary.inspection.pictures.size(), summary.page.string());
         });
     });

@@ -61,7 +61,7 @@ double heightAt(double x, double z) {
     const double ridges = ridgedNoise<2>(p, 4, 4, 0.42, 0.02, 23);
     const double detail = fractalNoise<2>(p, 48, 3, 0.4, 37);
     const double rough = 0.25 + 0.75 * ridges * ridges;
-    return 0.1 * plain + 0.08 * ridges + 0.01 * rough * detail;
+    return 0.2 * plain + 0.08 * ridges + 0.01 * rough * detail;
 }
 
 ExactPoint torusPoint(double around, double tube) {

@@ -19,6 +19,10 @@ struct DemoViews {
     report::Section section;
 };
 
+// A PNG in the page's folder, with the command that made it.
+Result<report::Figure> figureOf(const std::filesystem::path& file, const std::string& alt,
+                                const std::string& caption, const std::string& command);
+
 // Renders a baked scene from each of its cameras into `folder`, the first with its alpha tests beside it.
 Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras,
                                 const std::filesystem::path& folder, const Executor& executor,

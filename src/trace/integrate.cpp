@@ -18,6 +18,7 @@ namespace {
 
 constexpr float farthest = std::numeric_limits<float>::infinity();
 constexpr Vec3 plainAlbedo{0.6F, 0.6F, 0.6F};
+constexpr Vec3 gridAlbedo{0.36F, 0.33F, 0.28F};
 constexpr Vec3 sunlight{2.6F, 2.35F, 1.9F};
 constexpr Vec3 haze{1.1F, 1.3F, 1.5F};
 constexpr Vec3 zenith{0.35F, 0.7F, 1.4F};
@@ -157,7 +158,7 @@ class Walker {
         Place place;
         place.point = plus(origin, times(direction, hit.distance));
         place.normal = towards(hit.grid.normal, direction);
-        place.albedo = part.albedo ? part.albedo(hit.grid) : plainAlbedo;
+        place.albedo = part.albedo ? part.albedo(hit.grid) : gridAlbedo;
         if (part.attributes == nullptr || part.attributes->empty()) return place;
         if (const auto smooth = surfaceAt(*part.attributes, part.table, hit.grid).normal)
             place.normal = bent(place.normal, *smooth);

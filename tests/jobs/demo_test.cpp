@@ -94,6 +94,10 @@ TEST(Demo, leavesAProvedScenePageAndPictures) {
     EXPECT_TRUE(summary->views[0].triptych->identical);
     EXPECT_LT(summary->views[0].counters.total().textureFetches,
               summary->views[0].triptych->textureFetches / 2);
+    EXPECT_EQ(summary->grids.statistics.triangles, 2U * 1024 * 1024);
+    EXPECT_LT(summary->grids.bytesPerTriangle(), 1.0);
+    ASSERT_TRUE(summary->terrainView.grids.has_value());
+    EXPECT_EQ(summary->terrainView.grids->codec, "lattice");
     const auto page = readFile(summary->page);
     ASSERT_TRUE(page.ok());
     EXPECT_THAT(std::string(page->begin(), page->end()), HasSubstr("Bake and proof"));

@@ -5,6 +5,7 @@
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/jobs/bake.h"
+#include "filigree/jobs/grids.h"
 #include "filigree/jobs/inspect.h"
 #include "filigree/jobs/render.h"
 #include "filigree/jobs/validate.h"
@@ -28,6 +29,10 @@ struct DemoSummary {
     ValidateSummary validation;  // deep
     InspectSummary inspection;
     std::vector<RenderSummary> views;  // one a camera, the first with a triptych
+    std::filesystem::path heights;     // a terrain, 16-bit .png
+    std::filesystem::path terrain;     // and its grids, .fil
+    GridsSummary grids;
+    RenderSummary terrainView;  // traced from them
 };
 
 Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, ProgressSink& progress);

@@ -21,7 +21,7 @@ struct GridPart {
     uint64_t triangles = 0;
     // For smooth normals; null or without normals: flat triangles.
     const grid::GridAttributes* attributes = nullptr;
-    // The diffuse colour where a ray hits, linear; empty: grey.
+    // The diffuse colour where a ray hits, linear; empty: as bare earth.
     std::function<Vec3(const grid::Hit& hit)> albedo;
 };
 
