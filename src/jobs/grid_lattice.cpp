@@ -3,6 +3,8 @@
 #include "filigree/grid/error.h"
 #include "filigree/grid/lattice_choice.h"
 
+#include <cmath>
+
 namespace filigree::jobs {
 namespace {
 
@@ -10,6 +12,13 @@ Result<ChosenLattice> latticeOrError(const Result<grid::Lattice>& lattice, const
                                      std::optional<double> paperRms = std::nullopt) {
     if (!lattice) return lattice.error().within(option);
     return ChosenLattice{*lattice, paperRms};
+}
+
+// Over all vertices. The paper's codec keeps those of loose triangles as floats.
+double paperRms(const grid::GridMesh& mesh, grid::DisplacementCode displacement, const Executor& executor) {
+    const grid::VertexErrors errors = grid::paperErrors(mesh, displacement, executor);
+    const auto all = static_cast<double>(errors.vertices + mesh.looseVertices.size());
+    return errors.rms * std::sqrt(static_cast<double>(errors.vertices) / all);
 }
 
 }  // namespace
@@ -22,8 +31,8 @@ Result<ChosenLattice> chooseLattice(const grid::GridMesh& mesh, const GridPrecis
         const double error = *precision.maxError * (precision.isShare ? diagonal : 1);
         return latticeOrError(grid::latticeForError(mesh, error), "--max-error");
     }
-    double rms = grid::paperErrors(mesh, displacement, executor).rms;
-    if (!(rms > 0)) rms = usualPaperRms * diagonal;
+    const double measured = paperRms(mesh, displacement, executor);
+    const double rms = measured > 0 ? measured : usualPaperRms * diagonal;
     return latticeOrError(grid::latticeForRms(mesh, rms, executor), "--match-paper", rms);
 }
 

@@ -22,7 +22,9 @@ namespace filigree::jobs {
 struct GridPrecision {
     std::optional<double> maxError;  // world units, or a share of the diagonal of the mesh's box
     bool isShare = false;            // of `maxError`
-    bool matchPaper = false;  // the root mean square error of the paper's codec on the grids of this input
+    // The root mean square error of the paper's codec over all vertices: its sub-grids on the same grids, and
+    // no error at those of loose triangles. Where it has none, or there are no grids, 1e-5 of the diagonal.
+    bool matchPaper = false;
     bool lossless = false;
 };
 
