@@ -30,6 +30,8 @@ class SquareReader {
     [[nodiscard]] SquareFormat format() const { return format_; }
     [[nodiscard]] size_t mapCount() const { return bytes_.size() / blockBytesOf(format_); }
 
+    // All maps.
+    [[nodiscard]] std::span<const uint8_t> bytes() const { return bytes_; }
     // The bytes of a map.
     [[nodiscard]] std::span<const uint8_t> block(size_t map) const {
         return bytes_.subspan(map * blockBytesOf(format_), blockBytesOf(format_));

@@ -1,0 +1,71 @@
+// Vulkan devices: which there are, and one of them opened without a screen.
+#pragma once
+
+#include "filigree/core/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace filigree::vulkan {
+
+// False where the project was built without Vulkan (CMake's FILIGREE_VULKAN): nothing is found then.
+bool isBuilt();
+
+enum class DeviceKind : uint8_t { gpu, integratedGpu, virtualGpu, cpu, other };
+
+struct DeviceFacts {
+    std::string name;
+    std::string driver;  // with its version, as the driver says it
+    DeviceKind kind = DeviceKind::other;
+    bool rayQuery = false;     // acceleration structures, and rays from compute shaders
+    bool rayPipeline = false;  // acceleration structures, and pipelines of ray-tracing shaders
+    bool micromaps = false;    // VK_EXT_opacity_micromap or VK_KHR_opacity_micromap
+};
+
+// The devices with Vulkan 1.1 or later, in the order of the drivers. Empty without a driver.
+// ErrorKind::unsupported where Vulkan is not built in.
+Result<std::vector<DeviceFacts>> devices();
+
+// Which device `wanted` names: a number from 0, or a part of a name, upper and lower case alike, that only
+// one device has. Empty: the first with ray queries, GPUs before integrated ones before others.
+// ErrorKind::unsupported where there is none.
+Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted);
+
+struct DeviceOptions {
+    std::string device;  // as chooseDevice takes it
+    // Where set, and the validation layer is installed, that layer watches, and each of its warnings and
+    // errors comes here, up to the device's end; from any thread.
+    std::function<void(std::string_view message)> onMessage;
+};
+
+// A device with its queue. All that is made on it must go before it. One thread at a time.
+class Device {
+  public:
+    // ErrorKind::unsupported where there is no such device, ErrorKind::limit where it does not open.
+    static Result<Device> open(const DeviceOptions& options);
+
+    Device(Device&&) noexcept;
+    Device& operator=(Device&&) noexcept;
+    ~Device();
+
+    [[nodiscard]] const DeviceFacts& facts() const;
+    [[nodiscard]] bool isValidated() const;             // the validation layer watches
+    [[nodiscard]] uint64_t allocatedBytes() const;      // memory that is in use on the device
+    [[nodiscard]] uint64_t largestBufferBytes() const;  // that a shader can read
+
+    // For this room only.
+    struct Data;
+    [[nodiscard]] Data& data() const { return *data_; }
+
+  private:
+    explicit Device(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace filigree::vulkan

@@ -1,0 +1,62 @@
+// The room where Vulkan is left out: there is no device.
+#include "filigree/vulkan/device.h"
+#include "filigree/vulkan/lookup.h"
+
+namespace filigree::vulkan {
+namespace {
+
+Error notBuilt() {
+    return {
+        ErrorKind::unsupported,
+        "this build has no Vulkan; install glslang-tools and libvulkan-dev, then configure and build anew"};
+}
+
+}  // namespace
+
+struct Device::Data {};
+
+bool isBuilt() {
+    return false;
+}
+
+Result<std::vector<DeviceFacts>> devices() {
+    return notBuilt();
+}
+
+Result<Device> Device::open(const DeviceOptions&) {
+    return notBuilt();
+}
+
+Device::Device(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Device::Device(Device&&) noexcept = default;
+Device& Device::operator=(Device&&) noexcept = default;
+Device::~Device() = default;
+
+// There is no device to ask.
+const DeviceFacts& Device::facts() const {
+    static const DeviceFacts none;
+    return none;
+}
+bool Device::isValidated() const {
+    return false;
+}
+uint64_t Device::allocatedBytes() const {
+    return 0;
+}
+uint64_t Device::largestBufferBytes() const {
+    return 0;
+}
+
+Result<std::vector<micromap::State>> lookup(const Device&, const encoding::EncodedView&,
+                                            std::span<const uint32_t>, std::span<const float>,
+                                            std::span<const float>) {
+    return notBuilt();
+}
+
+Result<std::vector<quadmap::Region>> lookup(const Device&, const quadmap::SquareReader&,
+                                            std::span<const uint32_t>, std::span<const quadmap::Half>,
+                                            std::span<const float>, std::span<const float>) {
+    return notBuilt();
+}
+
+}  // namespace filigree::vulkan

@@ -1,0 +1,54 @@
+#include "filigree/vulkan/device.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace filigree::vulkan {
+namespace {
+
+std::string lowered(std::string_view text) {
+    std::string low(text);
+    std::ranges::transform(low, low.begin(), [](unsigned char c) { return std::tolower(c); });
+    return low;
+}
+
+std::optional<size_t> deviceNumber(std::string_view text) {
+    size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+std::string listOf(std::span<const DeviceFacts> devices) {
+    std::string list;
+    for (size_t k = 0; k < devices.size(); ++k)
+        list += fmt::format("{}{} {}", k == 0 ? "" : ", ", k, devices[k].name);
+    return list;
+}
+
+}  // namespace
+
+Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted) {
+    if (devices.empty()) return Error{ErrorKind::unsupported, "no Vulkan device was found; install a driver"};
+    if (wanted.empty()) {
+        const auto rank = [](const DeviceFacts& facts) { return std::pair(!facts.rayQuery, facts.kind); };
+        return static_cast<size_t>(std::ranges::min_element(devices, {}, rank) - devices.begin());
+    }
+    const auto number = deviceNumber(wanted);
+    if (number && *number < devices.size()) return *number;
+    std::vector<size_t> named;
+    for (size_t k = 0; k < devices.size(); ++k) {
+        if (lowered(devices[k].name).find(lowered(wanted)) != std::string::npos) named.push_back(k);
+    }
+    if (named.size() == 1) return named[0];
+    return Error{ErrorKind::unsupported,
+                 fmt::format("device '{}': {} of that name; choose one of {}", wanted,
+                             named.empty() ? "there is none" : "there are several", listOf(devices))};
+}
+
+}  // namespace filigree::vulkan

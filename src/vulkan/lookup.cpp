@@ -1,0 +1,149 @@
+#include "filigree/vulkan/lookup.h"
+
+#include "filigree/encoding/bitmask.h"
+#include "filigree/encoding/map_reader.h"
+
+#include "vulkan/commands.h"
+#include "vulkan/kernel.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace filigree::vulkan {
+namespace {
+
+using encoding::Encoding;
+using quadmap::SquareFormat;
+
+// As lookup.comp has it.
+struct Query {
+    uint32_t map = 0;
+    float u = 0;
+    float v = 0;
+};
+
+struct QueryRange {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+
+constexpr uint32_t groupSize = 64;
+
+Decoder decoderOf(Encoding encoding) {
+    constexpr std::array<Decoder, encoding::encodingCount> decoders{
+        Decoder::flat,        Decoder::gruen, Decoder::bitmask, Decoder::tree,
+        Decoder::indexedTree, Decoder::dag,   Decoder::sdag};
+    return decoders[static_cast<size_t>(encoding)];
+}
+
+Result<Decoder> decoderOf(SquareFormat format) {
+    switch (format) {
+        case SquareFormat::vq2:
+            return Decoder::vq2;
+        case SquareFormat::vq2Plus:
+            return Decoder::vq2Plus;
+        case SquareFormat::vq4:
+            return Decoder::vq4;
+        case SquareFormat::vq4Plus:
+            return Decoder::vq4Plus;
+        default:
+            return Error{ErrorKind::unsupported, "raw squares have no shader"};
+    }
+}
+
+Status checkSet(const encoding::EncodedView& set) {
+    if (set.encoding == Encoding::bitmask) {
+        const auto reader = encoding::BitmaskReader::open(set);
+        return reader ? Status() : Status(reader.error());
+    }
+    const auto reader = encoding::openReader(set);
+    return reader ? Status() : Status(reader.error());
+}
+
+// All that one run of the shader needs.
+struct Lookups {
+    Decoder decoder = Decoder::flat;
+    uint32_t widthShift = 0;
+    std::span<const uint8_t> descriptors;
+    std::span<const uint8_t> payload;
+    std::vector<Query> queries;
+};
+
+Status runLookups(Device::Data& device, const Lookups& lookups, std::vector<uint32_t>& found) {
+    const std::array constants{lookups.widthShift};
+    auto kernel = Kernel::make(device, {ShaderKind::lookup, lookups.decoder}, {4, sizeof(QueryRange), false},
+                               constants);
+    if (!kernel) return kernel.error();
+    const auto descriptors = uploaded(device, lookups.descriptors, "descriptors");
+    if (!descriptors) return descriptors.error();
+    const auto payload = uploaded(device, lookups.payload, "the payload");
+    if (!payload) return payload.error();
+    const auto queries = uploadedOf(device, lookups.queries, "lookups");
+    if (!queries) return queries.error();
+    const auto results =
+        Buffer::make(device, found.size() * sizeof(uint32_t), BufferPlace::onDevice, "states");
+    if (!results) return results.error();
+    kernel->bind(0, *descriptors);
+    kernel->bind(1, *payload);
+    kernel->bind(2, *queries);
+    kernel->bind(3, *results);
+    const auto total = static_cast<uint32_t>(found.size());
+    const uint32_t step = groupSize * std::min(device.limits.maxComputeWorkGroupCount[0], 65535u);
+    auto ran = submit(device, "look states up", [&](VkCommandBuffer commands) {
+        for (uint32_t first = 0; first < total; first += step) {
+            const QueryRange range{first, std::min(step, total - first)};
+            kernel->record(commands, &range, (range.count + groupSize - 1) / groupSize);
+        }
+    });
+    if (!ran) return ran;
+    return download(device, *results,
+                    {reinterpret_cast<uint8_t*>(found.data()), found.size() * sizeof(uint32_t)});
+}
+
+template <class State>
+Result<std::vector<State>> statesOf(Device::Data& device, const Lookups& lookups) {
+    std::vector<uint32_t> found(lookups.queries.size());
+    if (found.empty()) return std::vector<State>();
+    if (auto ran = runLookups(device, lookups, found); !ran) return ran.error();
+    std::vector<State> states(found.size());
+    std::ranges::transform(found, states.begin(), [](uint32_t state) { return static_cast<State>(state); });
+    return states;
+}
+
+}  // namespace
+
+Result<std::vector<micromap::State>> lookup(const Device& device, const encoding::EncodedView& set,
+                                            std::span<const uint32_t> maps, std::span<const float> u,
+                                            std::span<const float> v) {
+    assert(u.size() == maps.size() && v.size() == maps.size());
+    if (auto checked = checkSet(set); !checked) return checked.error();
+    Lookups lookups{decoderOf(set.encoding),
+                    set.format == micromap::Format::fourState ? 1u : 0u,
+                    set.descriptors,
+                    set.payload,
+                    {}};
+    for (size_t k = 0; k < maps.size(); ++k) {
+        assert(maps[k] < set.mapCount);
+        lookups.queries.push_back({maps[k], u[k], v[k]});
+    }
+    return statesOf<micromap::State>(device.data(), lookups);
+}
+
+Result<std::vector<quadmap::Region>> lookup(const Device& device, const quadmap::SquareReader& squares,
+                                            std::span<const uint32_t> maps,
+                                            std::span<const quadmap::Half> halves, std::span<const float> u,
+                                            std::span<const float> v) {
+    assert(halves.size() == maps.size() && u.size() == maps.size() && v.size() == maps.size());
+    const auto decoder = decoderOf(squares.format());
+    if (!decoder) return decoder.error();
+    Lookups lookups{*decoder, 0, {}, squares.bytes(), {}};
+    for (size_t k = 0; k < maps.size(); ++k) {
+        assert(maps[k] < squares.mapCount());
+        const uint32_t second = halves[k] == quadmap::Half::second ? 1 : 0;
+        lookups.queries.push_back({2 * maps[k] + second, u[k], v[k]});
+    }
+    return statesOf<quadmap::Region>(device.data(), lookups);
+}
+
+}  // namespace filigree::vulkan

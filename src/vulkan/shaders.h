@@ -1,0 +1,34 @@
+// The shaders as the build made them: SPIR-V.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace filigree::vulkan {
+
+// Which decoder of shaders/decode a shader holds. The numbers are those of shaders/decode/any.glsl.
+enum class Decoder : uint8_t {
+    flat,
+    gruen,
+    bitmask,
+    tree,
+    indexedTree,
+    dag,
+    sdag,
+    vq2,
+    vq2Plus,
+    vq4,
+    vq4Plus,
+};
+inline constexpr unsigned decoderCount = 11;
+
+enum class ShaderKind : uint8_t { lookup };
+
+struct Shader {
+    ShaderKind kind = ShaderKind::lookup;
+    Decoder decoder = Decoder::flat;
+};
+
+std::span<const uint32_t> codeOf(Shader shader);
+
+}  // namespace filigree::vulkan
