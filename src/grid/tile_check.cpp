@@ -16,12 +16,12 @@ Error tileError(std::string message) {
 }
 
 template <class Visit>
-void forEachBlock(const TileHeader& head, const Visit& visit) {
+void forEachTileBlock(const TileHeader& head, const Visit& visit) {
     for (unsigned j = 0; j < head.blockRows(); ++j)
         for (unsigned i = 0; i < head.blockColumns(); ++i) visit(i, j, j * head.blockColumns() + i);
 }
 
-Status checkRanges(const TileHeader& head) {
+Status checkTileRanges(const TileHeader& head) {
     for (unsigned k = 0; k < 3; ++k) {
         unsigned widest = std::max(head.cornerWidth[k], head.coarseWidth[k]);
         for (const unsigned width : head.width[k]) widest = std::max(widest, width);
@@ -38,17 +38,17 @@ Status checkRanges(const TileHeader& head) {
     return {};
 }
 
-Status checkReserved(const uint8_t* record) {
+Status checkTileReserved(const uint8_t* record) {
     uint32_t reserved = loadLe<uint32_t>(record + 4) >> 31;
     for (unsigned k = 5; k < 9; ++k) reserved |= loadLe<uint32_t>(record + size_t{4} * k) >> 30;
     if (reserved != 0) return tileError("a reserved bit of a tile's header is set");
     return {};
 }
 
-Status checkDiagonals(const uint8_t* record, const TileHeader& head) {
+Status checkTileDiagonals(const uint8_t* record, const TileHeader& head) {
     if (head.diagonals != TileDiagonals::mixed) return {};
     uint32_t surplus = 0;
-    forEachBlock(head, [&](unsigned i, unsigned j, unsigned block) {
+    forEachTileBlock(head, [&](unsigned i, unsigned j, unsigned block) {
         const uint32_t row = (1U << head.columnsOf(i)) - 1;
         const uint32_t quads = 0x1111U * row & ((1U << 4 * head.rowsOf(j)) - 1);
         surplus |= loadLe<uint16_t>(record + tileParts(head).diagonals + size_t{2} * block) & ~quads;
@@ -57,25 +57,25 @@ Status checkDiagonals(const uint8_t* record, const TileHeader& head) {
     return {};
 }
 
-Status checkEnd(const uint8_t* record, const TileHeader& head, size_t bytes) {
+Status checkTileEnd(const uint8_t* record, const TileHeader& head, size_t bytes) {
     for (size_t bit = 8 * tileParts(head).bits + bitStringSize(record, head); bit < 8 * bytes; ++bit)
         if ((record[bit / 8] >> bit % 8 & 1) != 0)
             return tileError("a bit behind the last field of a tile is set");
     return {};
 }
 
-bool contains(const LatticeBox& outer, const LatticeBox& inner) {
+bool containsBox(const LatticeBox& outer, const LatticeBox& inner) {
     for (unsigned k = 0; k < 3; ++k)
         if (outer.low[k] > inner.low[k] || outer.high[k] < inner.high[k]) return false;
     return true;
 }
 
-Status checkBoxes(const uint8_t* record, const TileHeader& head) {
+Status checkBlockBoxes(const uint8_t* record, const TileHeader& head) {
     const Tile tile = decodeTile(record);
     Status status;
-    forEachBlock(head, [&](unsigned i, unsigned j, unsigned block) {
+    forEachTileBlock(head, [&](unsigned i, unsigned j, unsigned block) {
         const LatticeBox box = widenedBox(cornerBox(tile, head, i, j), head, record[tileHeaderBytes + block]);
-        if (status.ok() && !contains(box, vertexBox(tile, head, i, j)))
+        if (status.ok() && !containsBox(box, vertexBox(tile, head, i, j)))
             status = tileError(fmt::format("block {} of a tile reaches out of its box", block));
     });
     return status;
@@ -90,13 +90,13 @@ Result<size_t> checkTile(std::span<const uint8_t> bytes) {
     if (bytes.size() < tileHeaderBytes) return tooShort(tileHeaderBytes);
     const uint8_t* record = bytes.data();
     const TileHeader head = loadTileHeader(record);
-    for (const Status& status : {checkRanges(head), checkReserved(record)})
+    for (const Status& status : {checkTileRanges(head), checkTileReserved(record)})
         if (!status) return status.error();
     if (bytes.size() < tileParts(head).bits) return tooShort(tileParts(head).bits);
     const size_t size = tileBytes(record);
     if (bytes.size() < size) return tooShort(size);
     for (const Status& status :
-         {checkDiagonals(record, head), checkEnd(record, head, size), checkBoxes(record, head)})
+         {checkTileDiagonals(record, head), checkTileEnd(record, head, size), checkBlockBoxes(record, head)})
         if (!status) return status.error();
     return size;
 }

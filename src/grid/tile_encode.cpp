@@ -24,7 +24,7 @@ struct Reach {
     LatticePoint low{};
     LatticePoint high{};
 };
-Reach reachOf(const Tile& tile, const TileHeader& head, unsigned i, unsigned j) {
+Reach blockReachOf(const Tile& tile, const TileHeader& head, unsigned i, unsigned j) {
     const LatticeBox corners = cornerBox(tile, head, i, j), all = vertexBox(tile, head, i, j);
     Reach reach;
     for (unsigned k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ class ReachChoice {
     ReachChoice(const Tile& tile, TileHeader& head, BlockBytes& blocks) : head_(head), blocks_(blocks) {
         for (unsigned j = 0; j < head.blockRows(); ++j)
             for (unsigned i = 0; i < head.blockColumns(); ++i)
-                reaches_[j * head.blockColumns() + i] = reachOf(tile, head, i, j);
+                reaches_[j * head.blockColumns() + i] = blockReachOf(tile, head, i, j);
     }
 
     void choose() {
@@ -101,13 +101,13 @@ void setCornerWidths(const CornerDeltas& deltas, TileHeader& head) {
     }
 }
 
-TileDiagonals diagonalsOf(const Tile& tile) {
+TileDiagonals tileDiagonalsOf(const Tile& tile) {
     const size_t bd = tile.bd.count();
     if (bd == 0) return TileDiagonals::allAc;
     return bd == size_t{tile.place.columns} * tile.place.rows ? TileDiagonals::allBd : TileDiagonals::mixed;
 }
 
-TileHeader headerOf(const Tile& tile) {
+TileHeader tileHeaderOf(const Tile& tile) {
     const TilePlace& place = tile.place;
     assert(place.grid < 1U << 24 && place.column % tileQuads == 0 && place.row % tileQuads == 0);
     TileHeader head;
@@ -116,7 +116,7 @@ TileHeader headerOf(const Tile& tile) {
     head.rows = place.rows;
     head.tileColumn = place.column / tileQuads;
     head.tileRow = place.row / tileQuads;
-    head.diagonals = diagonalsOf(tile);
+    head.diagonals = tileDiagonalsOf(tile);
     for (unsigned k = 0; k < 3; ++k) {
         assert(tile.at(0, 0)[k] >= 0 && tile.at(0, 0)[k] < latticeLimit);
         head.base[k] = static_cast<uint32_t>(tile.at(0, 0)[k]);
@@ -166,7 +166,7 @@ void putDiagonals(const Tile& tile, const TileHeader& head, std::vector<uint8_t>
 }  // namespace
 
 void encodeTile(const Tile& tile, std::vector<uint8_t>& records) {
-    TileHeader head = headerOf(tile);
+    TileHeader head = tileHeaderOf(tile);
     const CornerDeltas corners = cornerDeltas(tile);
     setCornerWidths(corners, head);
     const TileResiduals residuals = residualsOf(tile, head);

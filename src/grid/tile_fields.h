@@ -15,8 +15,8 @@ namespace filigree::grid {
 // the lower quarter and the higher one; then crosses, diagonals, and the centre.
 enum PatchFour : unsigned { edgeMids, lowQuarters, highQuarters, crosses, diagonals, middle };
 inline constexpr unsigned patchFours = 6;
-inline constexpr std::array<ResidualClass, patchFours> classOfFour{edgeMid, edgeQuarter, edgeQuarter,
-                                                                   cross,   diagonal,    centre};
+inline constexpr std::array<ResidualClass, patchFours> classOfFour{edgeMid,     edgeQuarter,    edgeQuarter,
+                                                                   insideCross, insideDiagonal, insideCentre};
 
 struct PatchPlace {
     uint8_t x, y;

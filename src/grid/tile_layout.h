@@ -35,11 +35,11 @@ constexpr bool isPlace(unsigned steps, unsigned place) {
 
 // The residuals that share a width. The last three lie inside blocks, where a block's drop narrows them.
 enum ResidualClass : unsigned {
-    edgeMid,      // place 2 of an edge of a block
-    edgeQuarter,  // places 1 and 3 of an edge
-    centre,       // (2, 2)
-    cross,        // (2, 1), (1, 2), (3, 2), (2, 3)
-    diagonal,     // (1, 1), (3, 1), (1, 3), (3, 3)
+    edgeMid,         // place 2 of an edge of a block
+    edgeQuarter,     // places 1 and 3 of an edge
+    insideCentre,    // (2, 2)
+    insideCross,     // (2, 1), (1, 2), (3, 2), (2, 3)
+    insideDiagonal,  // (1, 1), (3, 1), (1, 3), (3, 3)
 };
 inline constexpr unsigned residualClasses = 5;
 
@@ -102,7 +102,7 @@ inline TileHeader loadTileHeader(const uint8_t* from) {
         head.cornerWidth[axis] = fieldOf(word(5 + axis), 0, 5);
         head.coarseWidth[axis] = fieldOf(word(5 + axis), 5, 5);
         for (unsigned c = 0; c < 4; ++c) head.width[axis][c] = fieldOf(word(5 + axis), 10 + 5 * c, 5);
-        head.width[axis][diagonal] = fieldOf(word(8), 5 * axis, 5);
+        head.width[axis][insideDiagonal] = fieldOf(word(8), 5 * axis, 5);
     }
     for (unsigned c = 0; c < residualClasses; ++c) head.bias[c] = fieldOf(word(8), 15 + 3 * c, 3);
     for (unsigned minor = 0; minor < 2; ++minor) {
@@ -122,7 +122,7 @@ inline void storeTileHeader(uint8_t* to, const TileHeader& head) {
         words[2 + axis] = head.base[axis] | head.reach[axis] << 24;
         words[5 + axis] = head.cornerWidth[axis] | head.coarseWidth[axis] << 5;
         for (unsigned c = 0; c < 4; ++c) words[5 + axis] |= head.width[axis][c] << (10 + 5 * c);
-        words[8] |= head.width[axis][diagonal] << 5 * axis;
+        words[8] |= head.width[axis][insideDiagonal] << 5 * axis;
     }
     for (unsigned c = 0; c < residualClasses; ++c) words[8] |= head.bias[c] << (15 + 3 * c);
     for (unsigned minor = 0; minor < 2; ++minor) {
@@ -218,8 +218,9 @@ constexpr InsideCounts insideCounts(unsigned columns, unsigned rows) {
 }
 inline uint32_t insideBits(const TileHeader& head, unsigned blockColumn, unsigned blockRow, unsigned drop) {
     const InsideCounts n = insideCounts(head.columnsOf(blockColumn), head.rowsOf(blockRow));
-    return n.centres * vertexBits(head, centre, drop) + n.crosses * vertexBits(head, cross, drop) +
-           n.diagonals * vertexBits(head, diagonal, drop);
+    return n.centres * vertexBits(head, insideCentre, drop) +
+           n.crosses * vertexBits(head, insideCross, drop) +
+           n.diagonals * vertexBits(head, insideDiagonal, drop);
 }
 
 // From tileParts().bits on, in bits.

@@ -69,15 +69,15 @@ void walkInside(const TileHeader& head, unsigned i, unsigned j, const Visit& vis
         ResidualClass c;
         uint8_t x, y;
     };
-    static constexpr std::array<Place, 9> places{{{centre, 2, 2},
-                                                  {cross, 2, 1},
-                                                  {cross, 1, 2},
-                                                  {cross, 3, 2},
-                                                  {cross, 2, 3},
-                                                  {diagonal, 1, 1},
-                                                  {diagonal, 3, 1},
-                                                  {diagonal, 1, 3},
-                                                  {diagonal, 3, 3}}};
+    static constexpr std::array<Place, 9> places{{{insideCentre, 2, 2},
+                                                  {insideCross, 2, 1},
+                                                  {insideCross, 1, 2},
+                                                  {insideCross, 3, 2},
+                                                  {insideCross, 2, 3},
+                                                  {insideDiagonal, 1, 1},
+                                                  {insideDiagonal, 3, 1},
+                                                  {insideDiagonal, 1, 3},
+                                                  {insideDiagonal, 3, 3}}};
     for (const Place& at : places)
         if (isPlace(head.columnsOf(i), at.x) && isPlace(head.rowsOf(j), at.y))
             visit(at.c, 4 * i + at.x, 4 * j + at.y, j * head.blockColumns() + i);

@@ -58,12 +58,12 @@ class Patch {
     void walk(const Visit& visit) {
         walkEdges(visit);
         if (midsOf(columns_) * midsOf(rows_) == 0) return;
-        visit(2, 2, centre, centrePrediction());
+        visit(2, 2, insideCentre, centrePrediction());
         walkCrosses(visit);
         for (const unsigned y : {1, 3})
             for (const unsigned x : {1, 3})
                 if (isPlace(columns_, x) && isPlace(rows_, y))
-                    visit(x, y, diagonal, diagonalPrediction(x, y));
+                    visit(x, y, insideDiagonal, diagonalPrediction(x, y));
     }
 
     // The bend that the curve takes part of, at a quarter of an edge or a cross.
@@ -111,10 +111,10 @@ class Patch {
     }
     template <class Visit>
     void walkCrosses(const Visit& visit) {
-        if (isPlace(rows_, 1)) visit(2, 1, cross, quarter(at(2, 0), at(2, 2), at(2, 4), rows_));
-        if (isPlace(columns_, 1)) visit(1, 2, cross, quarter(at(0, 2), at(2, 2), at(4, 2), columns_));
-        if (isPlace(columns_, 3)) visit(3, 2, cross, quarter(at(4, 2), at(2, 2), at(0, 2), columns_));
-        if (isPlace(rows_, 3)) visit(2, 3, cross, quarter(at(2, 4), at(2, 2), at(2, 0), rows_));
+        if (isPlace(rows_, 1)) visit(2, 1, insideCross, quarter(at(2, 0), at(2, 2), at(2, 4), rows_));
+        if (isPlace(columns_, 1)) visit(1, 2, insideCross, quarter(at(0, 2), at(2, 2), at(4, 2), columns_));
+        if (isPlace(columns_, 3)) visit(3, 2, insideCross, quarter(at(4, 2), at(2, 2), at(0, 2), columns_));
+        if (isPlace(rows_, 3)) visit(2, 3, insideCross, quarter(at(2, 4), at(2, 2), at(2, 0), rows_));
     }
     [[nodiscard]] LatticePoint centrePrediction() const {
         return perAxis([&](size_t k) {

@@ -64,7 +64,7 @@ unsigned bestBias(const Extents& extents, unsigned group, unsigned axis) {
 // The code of how far the widths inside a block may fall.
 uint8_t dropFor(const Extents& extents, const TileHeader& head, unsigned block) {
     unsigned least = 3;
-    for (const unsigned c : {centre, cross, diagonal})
+    for (const unsigned c : {insideCentre, insideCross, insideDiagonal})
         for (unsigned k = 0; k < 3; ++k) {
             const unsigned needed = extents[c][block][k].width(k == head.dominant ? head.bias[c] : evenBias);
             if (needed != 0) least = std::min({least, head.width[k][c] - needed, 2U});
@@ -72,7 +72,7 @@ uint8_t dropFor(const Extents& extents, const TileHeader& head, unsigned block) 
     return static_cast<uint8_t>(least);
 }
 
-TileFrame frameOf(const Tile& tile, const TileHeader& head) {
+TileFrame tileFrameOf(const Tile& tile, const TileHeader& head) {
     TileFrame frame;
     for (unsigned row = 0; row <= head.rows; ++row)
         for (unsigned column = 0; column <= head.columns; ++column)
@@ -104,7 +104,7 @@ unsigned widthFor(int32_t low, int32_t high, unsigned bias) {
 }
 
 TileResiduals residualsOf(const Tile& tile, const TileHeader& head) {
-    TileFrame frame = frameOf(tile, head), less, bends;
+    TileFrame frame = tileFrameOf(tile, head), less, bends;
     TileHeader straight = head;
     straight.curve = 0;
     Patch coarse = frame.coarsePatch(head);
@@ -116,7 +116,7 @@ TileResiduals residualsOf(const Tile& tile, const TileHeader& head) {
             Patch patch = frame.blockPatch(straight, i, j);
             patch.walk([&](unsigned px, unsigned py, ResidualClass c, const LatticePoint& prediction) {
                 less.fineAt(4 * i + px, 4 * j + py) = residualFrom(patch.at(px, py), prediction);
-                if (c == edgeQuarter || c == cross)
+                if (c == edgeQuarter || c == insideCross)
                     bends.fineAt(4 * i + px, 4 * j + py) = patch.bendAt(px, py);
             });
         }
