@@ -4,10 +4,10 @@
 
 #include "encoding/encoding_name.h"
 #include "encoding/sample_maps.h"
+#include "exact_bytes.h"
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -17,20 +17,6 @@ namespace {
 using micromap::Format;
 using micromap::State;
 using Bytes = std::vector<uint8_t>;
-
-// A block in memory of its own.
-class Exact {
-  public:
-    explicit Exact(std::span<const uint8_t> bytes)
-        : bytes_(std::make_unique<uint8_t[]>(bytes.size())), size_(bytes.size()) {
-        std::ranges::copy(bytes, bytes_.get());
-    }
-    [[nodiscard]] std::span<const uint8_t> view() const { return {bytes_.get(), size_}; }
-
-  private:
-    std::unique_ptr<uint8_t[]> bytes_;
-    size_t size_;
-};
 
 // Looks everywhere a set claims to reach, within bounds of time.
 void useAll(const MapReader& reader) {
@@ -70,8 +56,8 @@ class BadInput : public testing::TestWithParam<std::tuple<Encoding, Format>> {
 
     // Opens copies of the blocks and uses what can be opened; true when they were refused.
     [[nodiscard]] static bool refused(EncodedView set) {
-        const Exact descriptors(set.descriptors);
-        const Exact payload(set.payload);
+        const tests::ExactBytes descriptors(set.descriptors);
+        const tests::ExactBytes payload(set.payload);
         set.descriptors = descriptors.view();
         set.payload = payload.view();
         const auto reader = openReader(set);

@@ -3,11 +3,12 @@
 #include "filigree/core/target.h"
 #include "filigree/encoding/bitmask.h"
 
+#include "exact_bytes.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <vector>
 
 namespace {
@@ -23,20 +24,6 @@ void fail(const char* what) {
     std::fprintf(stderr, "%s\n", what);
     std::abort();
 }
-
-// Memory of exactly this size, so that a sanitizer sees the first byte read past its end.
-class Exact {
-  public:
-    explicit Exact(std::span<const uint8_t> bytes)
-        : bytes_(std::make_unique<uint8_t[]>(bytes.size())), size_(bytes.size()) {
-        std::ranges::copy(bytes, bytes_.get());
-    }
-    [[nodiscard]] std::span<const uint8_t> view() const { return {bytes_.get(), size_}; }
-
-  private:
-    std::unique_ptr<uint8_t[]> bytes_;
-    size_t size_;
-};
 
 constexpr std::array coordinates{-3.01f, -1.0f, -0.26f, 0.0f, 0.125f, 0.37f, 0.5f, 0.9f, 1.0f, 1.6f, 1e20f};
 
@@ -63,8 +50,8 @@ void decodeAnything(std::span<const uint8_t> data) {
     if (data.size() < 3) return;
     const auto blocks = data.subspan(3);
     const size_t descriptorBytes = std::min<size_t>(data[2], blocks.size());
-    const Exact descriptors(blocks.first(descriptorBytes));
-    const Exact payload(blocks.subspan(descriptorBytes));
+    const tests::ExactBytes descriptors(blocks.first(descriptorBytes));
+    const tests::ExactBytes payload(blocks.subspan(descriptorBytes));
     const Format format = (data[0] & 1) != 0 ? Format::twoState : Format::fourState;
     const EncodedView set{encoding::Encoding::bitmask, format, data[1], descriptors.view(), payload.view()};
     const auto reader = BitmaskReader::open(set);

@@ -2,10 +2,11 @@
 #include "filigree/core/target.h"
 #include "filigree/encoding/map_reader.h"
 
+#include "exact_bytes.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <vector>
 
 namespace {
@@ -19,20 +20,6 @@ void fail(const char* what) {
     std::fprintf(stderr, "%s\n", what);
     std::abort();
 }
-
-// Memory of exactly this size, so that a sanitizer sees the first byte read past its end.
-class Exact {
-  public:
-    explicit Exact(std::span<const uint8_t> bytes)
-        : bytes_(std::make_unique<uint8_t[]>(bytes.size())), size_(bytes.size()) {
-        std::ranges::copy(bytes, bytes_.get());
-    }
-    [[nodiscard]] std::span<const uint8_t> view() const { return {bytes_.get(), size_}; }
-
-  private:
-    std::unique_ptr<uint8_t[]> bytes_;
-    size_t size_;
-};
 
 struct Points {
     std::vector<uint32_t> maps, indices;
@@ -101,8 +88,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (size < 6) return 0;
     const std::span<const uint8_t> blocks(data + 6, size - 6);
     const size_t descriptorBytes = std::min<size_t>(data[4] | data[5] << 8, blocks.size());
-    const Exact descriptors(blocks.first(descriptorBytes));
-    const Exact payload(blocks.subspan(descriptorBytes));
+    const tests::ExactBytes descriptors(blocks.first(descriptorBytes));
+    const tests::ExactBytes payload(blocks.subspan(descriptorBytes));
     const EncodedView set{static_cast<encoding::Encoding>(data[0] % encoding::encodingCount),
                           (data[1] & 1) != 0 ? micromap::Format::twoState : micromap::Format::fourState,
                           static_cast<uint32_t>(data[2] | data[3] << 8), descriptors.view(), payload.view()};
