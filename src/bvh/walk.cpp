@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bvh/walk.cpp"
@@ -15,10 +16,6 @@
 #define FILIGREE_BVH_WALK
 namespace filigree::bvh {
 
-// Of (origin - o) * r + q * 2^e * r, per axis: three roundings of the first product, two of the second, one
-// of the sum and what rounds the bound itself, each 2^-24 of what is rounded.
-constexpr float planeError = 8 * 0x1p-24F;
-
 inline unsigned leafMaskOf(const Node& node) {
     uint64_t kinds = 0;
     std::memcpy(&kinds, node.meta.data(), sizeof(kinds));
@@ -27,25 +24,36 @@ inline unsigned leafMaskOf(const Node& node) {
     return node.leafMask();
 }
 
-// Pushes so that the nearest comes off first, of equal ones the first slot.
-class NearestFirst {
-  public:
-    explicit NearestFirst(Walk& walk) : stack_(walk.stack.data() + walk.size), walk_(walk) {}
-    ~NearestFirst() { walk_.size += count_; }
-    NearestFirst(const NearestFirst&) = delete;
-    NearestFirst& operator=(const NearestFirst&) = delete;
-
-    void add(float near, uint32_t place) {
-        size_t at = count_++;
-        for (; at > 0 && stack_[at - 1].near <= near; --at) stack_[at] = stack_[at - 1];
-        stack_[at] = {near, place};
-    }
-
-  private:
-    Walk::Entry* stack_;
-    Walk& walk_;
-    size_t count_ = 0;
+// [mask][slot]: bits of the mask below the slot.
+struct SlotRanks {
+    std::array<std::array<uint8_t, width>, 256> of{};
 };
+constexpr SlotRanks slotRanksOfMasks() {
+    SlotRanks ranks;
+    for (unsigned mask = 0; mask < 256; ++mask)
+        for (unsigned slot = 0; slot < width; ++slot)
+            ranks.of[mask][slot] = static_cast<uint8_t>(std::popcount(mask & ((1U << slot) - 1)));
+    return ranks;
+}
+inline constexpr SlotRanks slotRanks = slotRanksOfMasks();
+
+// The last `count` entries of the stack, which stand in slot order: the nearest comes last, of equal ones the
+// first slot.
+inline void sortTop(Walk& walk, uint32_t count) {
+    float* const nears = walk.nears.data() + walk.size - count;
+    uint32_t* const places = walk.places.data() + walk.size - count;
+    for (uint32_t k = 1; k < count; ++k) {
+        const float near = nears[k];
+        const uint32_t place = places[k];
+        uint32_t at = k;
+        for (; at > 0 && nears[at - 1] <= near; --at) {
+            nears[at] = nears[at - 1];
+            places[at] = places[at - 1];
+        }
+        nears[at] = near;
+        places[at] = place;
+    }
+}
 
 }  // namespace filigree::bvh
 #endif
@@ -56,84 +64,154 @@ namespace filigree::bvh::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Planes = hn::CappedTag<float, width>;
+using PlaneVector = hn::VFromD<Planes>;
 
-// t of plane q of a node's axis is scale * q + offset, less or more `error`.
-struct PlaneTimes {
-    std::array<float, 3> scale;
-    std::array<float, 3> nearOffset;
-    std::array<float, 3> farOffset;
-};
-
-inline PlaneTimes planeTimes(const Node& node, const Walk& walk) {
-    PlaneTimes times;
-    for (size_t k = 0; k < 3; ++k) {
-        const float step = std::bit_cast<float>(static_cast<uint32_t>(node.exponent[k] + 127) << 23);
-        const float scale = step * walk.reciprocal[k];
-        const float offset = (node.origin[k] - walk.origin[k]) * walk.reciprocal[k];
-        const float error = (std::abs(offset) + std::abs(scale) * 255.0F) * planeError + walk.slack[k];
-        times.scale[k] = scale;
-        times.nearOffset[k] = offset - error;
-        times.farOffset[k] = offset + error;
+// Of one node: t of plane q of an axis is scale * q + near or far. Lanes 0 to 2 are the axes, in every block
+// of four lanes.
+#if HWY_TARGET == HWY_SCALAR
+class PlaneTimes {
+  public:
+    PlaneTimes(const Node& node, const Walk& walk) {
+        for (size_t k = 0; k < 3; ++k) {
+            const float step = std::bit_cast<float>(static_cast<uint32_t>(node.exponent[k] + 127) << 23);
+            scale_[k] = step * walk.reciprocal[k];
+            near_[k] = (node.origin[k] - walk.nearOrigin[k]) * walk.reciprocal[k];
+            far_[k] = (node.origin[k] - walk.farOrigin[k]) * walk.reciprocal[k];
+        }
     }
-    return times;
-}
+    template <int axis>
+    PlaneVector near(PlaneVector planes) const {
+        const Planes d;
+        return hn::Add(hn::Mul(planes, hn::Set(d, scale_[axis])), hn::Set(d, near_[axis]));
+    }
+    template <int axis>
+    PlaneVector far(PlaneVector planes) const {
+        const Planes d;
+        return hn::Add(hn::Mul(planes, hn::Set(d, scale_[axis])), hn::Set(d, far_[axis]));
+    }
 
-// The children [first, first + lanes): when the segment enters them, and which it meets as bits.
-inline unsigned enteredChildren(const Node& node, const Walk& walk, const PlaneTimes& times, size_t first,
-                                float* near) {
+  private:
+    std::array<float, 3> scale_, near_, far_;
+};
+#else
+class PlaneTimes {
+  public:
+    HWY_INLINE PlaneTimes(const Node& node, const Walk& walk) {
+        const Planes d;
+        const hn::RebindToSigned<Planes> di;
+        const hn::Repartition<uint8_t, Planes> bytes;
+        // The fourth lane holds the exponents and a mask.
+        const auto origin = hn::LoadDup128(d, node.origin.data());
+        // Each exponent to the top byte of its lane, and from there to where floats have theirs.
+        alignas(16) static constexpr std::array<uint8_t, 16> spread{
+            0x80, 0x80, 0x80, 12, 0x80, 0x80, 0x80, 13, 0x80, 0x80, 0x80, 14, 0x80, 0x80, 0x80, 0x80};
+        const auto tops =
+            hn::TableLookupBytesOr0(hn::BitCast(bytes, origin), hn::LoadDup128(bytes, spread.data()));
+        const auto exponents = hn::ShiftRight<1>(hn::BitCast(di, tops));
+        const auto step = hn::BitCast(d, hn::Add(exponents, hn::Set(di, 127 << 23)));
+        const auto reciprocal = hn::LoadDup128(d, walk.reciprocal.data());
+        scale_ = hn::Mul(step, reciprocal);
+        near_ = hn::Mul(hn::Sub(origin, hn::LoadDup128(d, walk.nearOrigin.data())), reciprocal);
+        far_ = hn::Mul(hn::Sub(origin, hn::LoadDup128(d, walk.farOrigin.data())), reciprocal);
+    }
+    template <int axis>
+    HWY_INLINE PlaneVector near(PlaneVector planes) const {
+        return hn::Add(hn::Mul(planes, hn::Broadcast<axis>(scale_)), hn::Broadcast<axis>(near_));
+    }
+    template <int axis>
+    HWY_INLINE PlaneVector far(PlaneVector planes) const {
+        return hn::Add(hn::Mul(planes, hn::Broadcast<axis>(scale_)), hn::Broadcast<axis>(far_));
+    }
+
+  private:
+    PlaneVector scale_, near_, far_;
+};
+#endif
+
+// Pushes the children [first, first + lanes) that the segment meets, in slot order.
+HWY_INLINE void pushChildren(const Node& node, Walk& walk, const PlaneTimes& times, size_t first,
+                             unsigned leafMask) {
     const Planes d;
     const hn::RebindToSigned<Planes> di;
+    const hn::RebindToUnsigned<Planes> du;
     const hn::Rebind<uint8_t, Planes> bytes;
     const auto* base = reinterpret_cast<const uint8_t*>(&node) + first;
-    const auto planes = [&](uint32_t at) {
+    const auto planes = [&](uint32_t at) HWY_ATTR {
         return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(bytes, base + at)));
     };
-    auto entry = hn::Set(d, walk.tMin);
-    auto exit = hn::Set(d, walk.tMax);
-    for (size_t axis = 0; axis < 3; ++axis) {
-        const auto scale = hn::Set(d, times.scale[axis]);
-        entry = hn::Max(entry, hn::Add(hn::Mul(planes(walk.nearPlanes[axis]), scale),
-                                       hn::Set(d, times.nearOffset[axis])));
-        exit = hn::Min(
-            exit, hn::Add(hn::Mul(planes(walk.farPlanes[axis]), scale), hn::Set(d, times.farOffset[axis])));
-    }
-    hn::StoreU(entry, d, near + first);
-    std::array<uint8_t, 8> bits{};
-    hn::StoreMaskBits(d, hn::Le(entry, exit), bits.data());
-    return static_cast<unsigned>(bits[0]) << first;
+    const auto& nearAt = walk.nearPlanes;
+    const auto& farAt = walk.farPlanes;
+    const auto entry = hn::Max(
+        hn::Max(times.template near<0>(planes(nearAt[0])), hn::Set(d, walk.tMin)),
+        hn::Max(times.template near<1>(planes(nearAt[1])), times.template near<2>(planes(nearAt[2]))));
+    const auto exit =
+        hn::Min(hn::Min(times.template far<0>(planes(farAt[0])), hn::Set(d, walk.tMax)),
+                hn::Min(times.template far<1>(planes(farAt[1])), times.template far<2>(planes(farAt[2]))));
+    const auto ranks = [&](unsigned mask) HWY_ATTR {
+        return hn::PromoteTo(du, hn::LoadU(bytes, slotRanks.of[mask].data() + first));
+    };
+    const auto leaves = hn::Add(hn::Set(du, node.firstLeaf | Walk::leafBit), ranks(leafMask));
+    const auto inners = hn::Add(hn::Set(du, node.firstChild), ranks(node.innerMask));
+    const auto isLeaf = hn::Ne(hn::PromoteTo(du, hn::LoadU(bytes, node.meta.data() + first)), hn::Zero(du));
+    const auto places = hn::IfThenElse(isLeaf, leaves, inners);
+    // Empty slots have low planes above the high ones, but slack might still let them pass.
+    std::array<uint8_t, 8> bits{static_cast<uint8_t>((leafMask | node.innerMask) >> first)};
+    const auto met = hn::And(hn::Le(entry, exit), hn::LoadMaskBits(d, bits.data()));
+    hn::StoreU(hn::Compress(entry, met), d, walk.nears.data() + walk.size);
+    hn::StoreU(hn::Compress(places, hn::RebindMask(du, met)), du, walk.places.data() + walk.size);
+    walk.size += static_cast<uint32_t>(hn::CountTrue(d, met));
 }
 
-inline void visitNode(const Node& node, Walk& walk) {
-    const PlaneTimes times = planeTimes(node, walk);
-    alignas(64) std::array<float, width> near;
+HWY_INLINE void visitNode(const Node& node, Walk& walk) {
+    const PlaneTimes times(node, walk);
     const unsigned leafMask = leafMaskOf(node);
-    unsigned met = 0;
+    const uint32_t before = walk.size;
     for (size_t first = 0; first < width; first += hn::Lanes(Planes())) {
-        met |= enteredChildren(node, walk, times, first, near.data());
+        pushChildren(node, walk, times, first, leafMask);
     }
-    met &= leafMask | node.innerMask;
-    NearestFirst order(walk);
-    for (; met != 0; met &= met - 1) {
-        const auto slot = static_cast<unsigned>(std::countr_zero(met));
-        const unsigned below = (1U << slot) - 1;
-        const bool isLeaf = (leafMask >> slot & 1) != 0;
-        const auto rank = static_cast<uint32_t>(std::popcount((isLeaf ? leafMask : node.innerMask) & below));
-        order.add(near[slot], isLeaf ? Walk::leafBit | (node.firstLeaf + rank) : node.firstChild + rank);
+    const uint32_t count = walk.size - before;
+    if (count > 1) sortTop(walk, count);
+}
+
+// One node on; true where that was the last before a leaf or the end.
+HWY_INLINE bool stepOn(const Node* nodes, Walk& walk) {
+    for (;;) {
+        if (walk.size == 0) {
+            walk.leaf = noLeaf;
+            return true;
+        }
+        const uint32_t top = --walk.size;
+        if (walk.nears[top] > walk.tMax) continue;
+        const uint32_t place = walk.places[top];
+        if ((place & Walk::leafBit) != 0) {
+            walk.leaf = place & ~Walk::leafBit;
+            return true;
+        }
+        visitNode(nodes[place], walk);
+        return false;
     }
 }
 
-uint32_t nextLeaf(const Node* nodes, Walk& walk) {
-    while (walk.size > 0) {
-        const Walk::Entry entry = walk.stack[--walk.size];
-        if (entry.near > walk.tMax) continue;
-        if ((entry.place & Walk::leafBit) != 0) return entry.place & ~Walk::leafBit;
-        visitNode(nodes[entry.place], walk);
+void nextLeaf(const Node* nodes, Walk& walk) {
+    while (!stepOn(nodes, walk)) {
     }
-    return noLeaf;
 }
 
-NextLeaf nextLeafHere() {
-    return &nextLeaf;
+size_t nextLeaves(const Node* nodes, Walk** walks, size_t count, size_t enough) {
+    while (count > enough) {
+        for (size_t k = 0; k < count;) {
+            if (stepOn(nodes, *walks[k])) {
+                std::swap(walks[k], walks[--count]);
+            } else {
+                ++k;
+            }
+        }
+    }
+    return count;
+}
+
+WalkFunctions walkFunctionsHere() {
+    return {&nextLeaf, &nextLeaves};
 }
 
 }  // namespace filigree::bvh::HWY_NAMESPACE
@@ -142,33 +220,38 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace filigree::bvh {
 
-HWY_EXPORT(nextLeafHere);
+HWY_EXPORT(walkFunctionsHere);
 
-void Walk::start(const Segment& segment) {
+void Walk::start(const Segment& segment, const Node& root) {
     // Directions that hardly leave a plane: finite all the same, and with the slack never out of a slab that
     // the origin is in.
     constexpr float steepest = 0x1p60F;
+    const auto planeOf = [](bool low, size_t axis) {
+        return static_cast<uint32_t>((low ? offsetof(Node, low) : offsetof(Node, high)) + width * axis);
+    };
     for (size_t axis = 0; axis < 3; ++axis) {
         const float along = segment.direction[axis];
         const bool isFlat = std::abs(along) < 1 / steepest;
-        const float reciprocalHere = isFlat ? std::copysign(steepest, along) : 1 / along;
-        const bool forward = reciprocalHere > 0;
-        origin[axis] = segment.origin[axis];
-        reciprocal[axis] = reciprocalHere;
-        slack[axis] = segment.slack * std::abs(reciprocalHere);
-        nearPlanes[axis] =
-            static_cast<uint32_t>((forward ? offsetof(Node, low) : offsetof(Node, high)) + width * axis);
-        farPlanes[axis] =
-            static_cast<uint32_t>((forward ? offsetof(Node, high) : offsetof(Node, low)) + width * axis);
+        reciprocal[axis] = isFlat ? std::copysign(steepest, along) : 1 / along;
+        const float far = root.origin[axis] + std::ldexp(255.0F, root.exponent[axis]);
+        const float largest = std::max(std::abs(root.origin[axis]), std::abs(far));
+        const float slack =
+            std::copysign(walkSlack * (largest + std::abs(segment.origin[axis])), reciprocal[axis]);
+        nearOrigin[axis] = segment.origin[axis] + slack;
+        farOrigin[axis] = segment.origin[axis] - slack;
+        const bool isForward = reciprocal[axis] > 0;
+        nearPlanes[axis] = planeOf(isForward, axis);
+        farPlanes[axis] = planeOf(!isForward, axis);
     }
     tMin = segment.tMin;
     tMax = segment.tMax;
-    stack[0] = {tMin, 0};
+    nears[0] = tMin;
+    places[0] = 0;
     size = 1;
 }
 
-NextLeaf nextLeafFunction() {
-    return HWY_DYNAMIC_DISPATCH(nextLeafHere)();
+WalkFunctions walkFunctions() {
+    return HWY_DYNAMIC_DISPATCH(walkFunctionsHere)();
 }
 
 }  // namespace filigree::bvh

@@ -6,6 +6,8 @@
 #define FILIGREE_GRID_LANES_INL_H_
 #endif
 
+#include "filigree/core/bytes.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -162,25 +164,40 @@ HWY_INLINE I16 gather(const uint8_t* base, const I16& offsets) {
 // Lanes of 0 to 31: a table of two vectors.
 template <class T>
 HWY_INLINE Lanes16<T> pick(const Lanes16<T>& low, const Lanes16<T>& high, const int32_t* lanes) {
-    if constexpr (Lanes16<T>::partLanes == 16) {
-        const typename Lanes16<T>::Tag d;
-        const hn::RebindToSigned<typename Lanes16<T>::Tag> di;
-        const auto at = hn::LoadU(di, lanes);
-        const auto fifteen = hn::Set(di, 15);
-        const auto indices = hn::IndicesFromVec(d, hn::And(at, fifteen));
-        Lanes16<T> result;
-        result.parts[0] = hn::IfThenElse(hn::RebindMask(d, hn::Gt(at, fifteen)),
-                                         hn::TableLookupLanes(high.parts[0], indices),
-                                         hn::TableLookupLanes(low.parts[0], indices));
-        return result;
-    } else {
-        alignas(64) std::array<T, 32> table;
-        store(low, table.data());
-        store(high, table.data() + 16);
-        alignas(64) std::array<T, 16> picked;
-        for (size_t k = 0; k < 16; ++k) picked[k] = table[static_cast<size_t>(lanes[k])];
-        return load(picked.data());
-    }
+    Lanes16<T> result;
+#if HWY_TARGET <= HWY_AVX3
+    // Highway 1.0 has no name for this instruction.
+    const auto at = hn::LoadU(I16::Tag(), lanes);
+    const auto bits = _mm512_permutex2var_epi32(hn::BitCast(I16::Tag(), low.parts[0]).raw, at.raw,
+                                                hn::BitCast(I16::Tag(), high.parts[0]).raw);
+    result.parts[0] = hn::BitCast(typename Lanes16<T>::Tag(), hn::VFromD<I16::Tag>{bits});
+#else
+    alignas(64) std::array<T, 32> table;
+    store(low, table.data());
+    store(high, table.data() + 16);
+    alignas(64) std::array<T, 16> picked;
+    for (size_t k = 0; k < 16; ++k) picked[k] = table[static_cast<size_t>(lanes[k])];
+    result = load(picked.data());
+#endif
+    return result;
+}
+
+// Sixteen bytes as numbers.
+HWY_INLINE I16 loadBytes(const uint8_t* from) {
+    I16 result;
+    const hn::Rebind<uint8_t, I16::Tag> bytes;
+    for (size_t k = 0; k < I16::partCount; ++k)
+        result.parts[k] = hn::PromoteTo(I16::Tag(), hn::LoadU(bytes, from + k * I16::partLanes));
+    return result;
+}
+
+// The 4 bytes at four places of `base`, in every block.
+HWY_INLINE I16 gatherFour(const uint8_t* base, const std::array<uint32_t, 4>& at) {
+    alignas(16) const std::array<int32_t, 4> words{static_cast<int32_t>(loadLe<uint32_t>(base + at[0])),
+                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[1])),
+                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[2])),
+                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[3]))};
+    return loadBlocks(words.data());
 }
 
 }  // namespace filigree::grid::HWY_NAMESPACE

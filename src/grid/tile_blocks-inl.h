@@ -18,90 +18,71 @@ namespace filigree::grid::HWY_NAMESPACE {
 // from (0, 0).
 using Four = I16;
 
-// x, y, z and 0, each in all lanes of its block.
-HWY_INLINE I16 axisBlocks(int32_t x, int32_t y, int32_t z) {
-    alignas(64) static constexpr std::array<int32_t, 16> isX{-1, -1, -1, -1};
-    alignas(64) static constexpr std::array<int32_t, 16> isY{0, 0, 0, 0, -1, -1, -1, -1};
-    alignas(64) static constexpr std::array<int32_t, 16> isZ{0, 0, 0, 0, 0, 0, 0, 0, -1, -1, -1, -1};
-    return (all(x) & load(isX.data())) | (all(y) & load(isY.data())) | (all(z) & load(isZ.data()));
-}
-
-// What the dominant axis' residuals add to the others.
-struct Shear {
-    bool isNone = true;
-    I16 slope, perColumn, perRow;  // [block], 0 for the dominant axis
-
-    HWY_INLINE explicit Shear(const TileHeader& head) {
-        const auto minors = minorAxes(head.dominant);
-        std::array<int32_t, 3> s{}, x{}, y{};
-        for (unsigned m = 0; m < 2; ++m) {
-            s[minors[m]] = 8 * head.shear[m];
-            x[minors[m]] = head.shearColumn[m];
-            y[minors[m]] = head.shearRow[m];
-            isNone = isNone && (head.shear[m] | head.shearColumn[m] | head.shearRow[m]) == 0;
-        }
-        slope = axisBlocks(s[0], s[1], s[2]);
-        perColumn = axisBlocks(x[0], x[1], x[2]);
-        perRow = axisBlocks(y[0], y[1], y[2]);
-    }
+// Lanes of a vector by what they hold of it.
+struct LaneTables {
+    alignas(64) std::array<int32_t, 16> lastAxis, axisBeforeLast;  // of the 0 behind z where there is none
 };
+inline constexpr LaneTables laneTables{{12, 12, 12, 12, 0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8},
+                                       {12, 12, 12, 12, 12, 12, 12, 12, 0, 0, 0, 0, 4, 4, 4, 4}};
 
 // Reads residuals of fours of vertices.
 class ResidualReader {
   public:
-    HWY_INLINE ResidualReader(const uint8_t* bits, const TileHeader& head)
-        : bits_(bits), dominant_(head.dominant), shear_(head) {}
+    // Vertex (0, 0) of the patch stands at (x, y) of the tile's frame, and `stride` lies between its places.
+    HWY_INLINE ResidualReader(const uint8_t* record, const TilePlan& plan, int32_t x, int32_t y,
+                              int32_t stride)
+        : plan_(plan), bits_(record + plan.bits), stride_(stride) {
+        if (plan.isSheared == 0) return;
+        const I16 perColumn = loadSignedBytes(plan.slopePerColumn.data());
+        const I16 perRow = loadSignedBytes(plan.slopePerRow.data());
+        slope_ = load(plan.slope.data()) + perColumn * all(x - 8) + perRow * all(y - 8);
+        perColumn_ = perColumn * all(stride);
+        perRow_ = perRow * all(stride);
+    }
 
-    // `x`, `y` say where the four stands in the tile's frame.
-    HWY_INLINE Four read(const std::array<int32_t, 4>& places, const ClassFields& fields, const int32_t* x,
-                         const int32_t* y) const {
-        const auto& w = fields.width;
-        const auto width = [&](unsigned k) { return static_cast<int32_t>(w[k]); };
-        const auto bias = [&](unsigned k) {
-            return biasOf(k == dominant_ ? fields.dominantBias : evenBias, w[k]);
-        };
-        const I16 at = loadBlocks(places.data()) + axisBlocks(0, width(0), width(0) + width(1));
-        const I16 words = shiftRightBy(gather(bits_, shiftRight<3>(at)), at & all(7));
-        const I16 one = all(1);
-        const I16 mask = shiftLeftBy(one, axisBlocks(width(0), width(1), width(2))) - one;
-        const Four residual = (words & mask) - axisBlocks(bias(0), bias(1), bias(2));
-        if (shear_.isNone) return residual;
-        alignas(64) std::array<int32_t, 16> kept;
-        store(residual, kept.data());
-        const I16 main = loadBlocks(kept.data() + size_t{4} * dominant_);
-        const I16 slope = shear_.slope + shear_.perColumn * (loadBlocks(x)) + shear_.perRow * loadBlocks(y);
-        return residual + shiftRight<8>(slope * main + all(128));
+    HWY_INLINE Four read(unsigned four, unsigned fieldClass, unsigned drop,
+                         const std::array<uint32_t, 4>& places) const {
+        const I16 none = all(0), one = all(1);
+        const I16 width =
+            greatest(loadBytes(plan_.widths[fieldClass].data()) - all(static_cast<int32_t>(drop)), none);
+        const I16 before = pick(width, none, laneTables.lastAxis.data()) +
+                           pick(width, none, laneTables.axisBeforeLast.data());
+        const I16 at = loadBlocks(reinterpret_cast<const int32_t*>(places.data()));
+        I16 words;
+        if (plan_.isNarrow != 0) {
+            words =
+                shiftRightBy(gatherFour(bits_, {places[0] / 8, places[1] / 8, places[2] / 8, places[3] / 8}),
+                             (at & all(7)) + before);
+        } else {
+            const I16 bit = at + before;
+            words = shiftRightBy(gather(bits_, shiftRight<3>(bit)), bit & all(7));
+        }
+        const I16 bias = shiftRight<3>(shiftLeftBy(loadBytes(plan_.biases[fieldClass].data()), width));
+        const Four residual = (words & (shiftLeftBy(one, width) - one)) - bias;
+        return plan_.isSheared == 0 ? residual : sheared(four, residual);
     }
 
   private:
-    const uint8_t* bits_;
-    unsigned dominant_;
-    Shear shear_;
-};
-
-struct PatchFields {
-    FieldPlaces places;
-    std::array<ClassFields, patchFours> fields;
-    // Of the frame, less 8, and how far a place is.
-    int32_t x = 0;
-    int32_t y = 0;
-    int32_t stride = 1;
-};
-
-struct PatchResiduals {
-    std::array<Four, patchFours> four;
-
-    HWY_INLINE PatchResiduals(const ResidualReader& reader, const PatchFields& patch) {
-        for (unsigned k = 0; k < patchFours; ++k) {
-            alignas(16) std::array<int32_t, 4> x, y;
-            for (unsigned lane = 0; lane < 4; ++lane) {
-                x[lane] = patch.x + patch.stride * placesOfFour[k][lane].x;
-                y[lane] = patch.y + patch.stride * placesOfFour[k][lane].y;
-            }
-            four[k] = reader.read(patch.places[k], patch.fields[k], x.data(), y.data());
-        }
+    HWY_INLINE Four sheared(unsigned four, const Four& residual) const {
+        alignas(64) std::array<int32_t, 16> kept;
+        store(residual, kept.data());
+        const I16 main = loadBlocks(kept.data() + size_t{4} * plan_.dominant);
+        const I16 slope = slope_ + perColumn_ * loadBlocks(fourPlaces.x[four].data()) +
+                          perRow_ * loadBlocks(fourPlaces.y[four].data());
+        return residual + shiftRight<8>(slope * main + all(128));
     }
+    static HWY_INLINE I16 loadSignedBytes(const int8_t* from) {
+        const I16 bytes = loadBytes(reinterpret_cast<const uint8_t*>(from));
+        return shiftRight<24>(shiftLeft<24>(bytes));
+    }
+
+    const TilePlan& plan_;
+    const uint8_t* bits_;
+    int32_t stride_;
+    I16 slope_, perColumn_, perRow_;
 };
+
+using PatchResiduals = std::array<Four, patchFours>;
 
 HWY_INLINE Four wrappedFour(const Four& point) {
     return point & all(latticeLimit - 1);
@@ -127,7 +108,7 @@ struct PatchFours {
     HWY_INLINE PatchFours(const Four& patchCorners, const PatchResiduals& residuals, unsigned columns,
                           unsigned rows, unsigned curve)
         : corners(patchCorners) {
-        const auto& r = residuals.four;
+        const auto& r = residuals;
         const auto isThird = [](unsigned steps) { return steps == 3 ? -1 : 0; };
         const auto curveOf = [&](unsigned steps) { return static_cast<int32_t>(steps == 4 ? curve : 0); };
         alignas(16) const std::array<int32_t, 4> curves{curveOf(columns), curveOf(rows), curveOf(columns),
@@ -156,6 +137,7 @@ struct PatchFours {
 
     // Vacant places repeat others.
     void storePatch(std::array<PatchAxis<int32_t>, 3>& to, unsigned columns, unsigned rows) const;
+    void storeLanes(std::array<PatchAxis<int32_t>, 3>& to) const;
 
   private:
     // Diagonal k stands at corner k, between the edges that meet there.
@@ -174,8 +156,88 @@ struct PatchFours {
     }
 };
 
+// Lanes of 32 for PatchFours::storePatch.
+struct RasterTables {
+    alignas(
+        64) std::array<int32_t, 16> centreBehind;  // of crosses and centre: what lies behind z is the centre
+    alignas(64) std::array<std::array<int32_t, 16>, 3> pairs;  // [axis] of two fours: eight lanes, twice
+    alignas(64) std::array<std::array<int32_t, 16>, 2> outer;  // [half] of pairs (corners, mids), (low, high)
+    alignas(64)
+        std::array<std::array<int32_t, 16>, 2> inner;  // [half] of what outer gave and (crosses, diagonals)
+};
+constexpr RasterTables rasterTablesOfPlaces() {
+    RasterTables tables{};
+    for (int32_t k = 0; k < 16; ++k) {
+        const auto at = static_cast<size_t>(k);
+        tables.centreBehind[at] = k < 12 ? k : 16 + 4 * (k - 12 < 3 ? k - 12 : 0);
+        for (int32_t axis = 0; axis < 3; ++axis)
+            tables.pairs[static_cast<size_t>(axis)][at] = (k % 8 / 4) * 16 + 4 * axis + k % 4;
+    }
+    // In the last of eight lanes of crosses and diagonals there is room behind for the centre: see
+    // storePatch.
+    constexpr std::array<PatchPlace, 4> cornerPlaces{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+    const auto set = [&](PatchPlace at, bool isOuter, int32_t lane) {
+        const size_t place = 5U * at.y + at.x;
+        if (isOuter) {
+            tables.outer[place / 16][place % 16] = lane;
+            tables.inner[place / 16][place % 16] = static_cast<int32_t>(place % 16);
+        } else {
+            tables.inner[place / 16][place % 16] = 16 + lane;
+        }
+    };
+    for (int32_t k = 0; k < 4; ++k) {
+        const auto lane = static_cast<size_t>(k);
+        set(cornerPlaces[lane], true, k);
+        set(placesOfFour[edgeMids][lane], true, 4 + k);
+        set(placesOfFour[lowQuarters][lane], true, 16 + k);
+        set(placesOfFour[highQuarters][lane], true, 20 + k);
+        set(placesOfFour[crosses][lane], false, k);
+        set(placesOfFour[diagonals][lane], false, 4 + k);
+    }
+    set({2, 2}, false, 8);
+    return tables;
+}
+inline constexpr RasterTables rasterTables = rasterTablesOfPlaces();
+
+// Which of the lanes that a pair of (crosses with the centre behind, diagonals) has for an axis is the
+// centre.
+struct InnerTables {
+    alignas(64) std::array<std::array<int32_t, 16>, 3> pairs;
+};
+constexpr InnerTables innerTablesOfAxes() {
+    InnerTables tables{};
+    for (int32_t axis = 0; axis < 3; ++axis)
+        for (int32_t k = 0; k < 16; ++k)
+            tables.pairs[static_cast<size_t>(axis)][static_cast<size_t>(k)] =
+                k == 8 ? 12 + axis : (k % 8 / 4) * 16 + 4 * axis + k % 4;
+    return tables;
+}
+inline constexpr InnerTables innerTables = innerTablesOfAxes();
+
 inline void PatchFours::storePatch(std::array<PatchAxis<int32_t>, 3>& to, unsigned columns,
                                    unsigned rows) const {
+#if HWY_TARGET <= HWY_AVX3
+    const I16 crossed = pick(crosses, centre, rasterTables.centreBehind.data());
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const I16 first = pick(corners, mids, rasterTables.pairs[axis].data());
+        const I16 second = pick(low, high, rasterTables.pairs[axis].data());
+        const I16 inner = pick(crossed, diagonals, innerTables.pairs[axis].data());
+        for (size_t half = 0; half < 2; ++half) {
+            const I16 outer = pick(first, second, rasterTables.outer[half].data());
+            store(pick(outer, inner, rasterTables.inner[half].data()), to[axis].data() + 16 * half);
+        }
+    }
+#else
+    storeLanes(to);
+#endif
+    if (columns == 4 && rows == 4) return;
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (unsigned y = 0; y < 5; ++y)
+            for (unsigned x = 0; x < 5; ++x)
+                to[axis][5 * y + x] = to[axis][5U * vertexAtPlace[rows][y] + vertexAtPlace[columns][x]];
+}
+
+inline void PatchFours::storeLanes(std::array<PatchAxis<int32_t>, 3>& to) const {
     alignas(64) std::array<std::array<int32_t, 16>, 7> kept;
     const std::array<const Four*, 7> all{&mids, &low, &high, &crosses, &diagonals, &centre, &corners};
     for (size_t k = 0; k < 7; ++k) store(*all[k], kept[k].data());
@@ -186,16 +248,7 @@ inline void PatchFours::storePatch(std::array<PatchAxis<int32_t>, 3>& to, unsign
                 const PatchPlace at = k < 6 ? placesOfFour[k][lane] : cornerPlaces[lane];
                 to[axis][5U * at.y + at.x] = kept[k][4 * axis + lane];
             }
-        if (columns == 4 && rows == 4) continue;
-        for (unsigned y = 0; y < 5; ++y)
-            for (unsigned x = 0; x < 5; ++x)
-                to[axis][5 * y + x] = to[axis][5U * vertexAtPlace[rows][y] + vertexAtPlace[columns][x]];
     }
-}
-
-HWY_INLINE ClassFields fieldsOf(const TileHeader& head, ResidualClass c, unsigned drop) {
-    const FieldWidths of = fineFields(head, c, drop);
-    return {of.width, of.dominantBias};
 }
 
 // The tile's corners, clockwise.
@@ -253,55 +306,64 @@ inline void setBoxes(const uint8_t* record, const TileHeader& head, TileBlocks& 
 
 inline void decodeTileBlocks(const uint8_t* record, TileBlocks& tile) {
     const TileHeader head = loadTileHeader(record);
-    const TileParts parts = tileParts(head);
-    const uint8_t* bits = record + parts.bits;
+    tile.plan = tilePlan(record, head);
     const unsigned columns = head.blockColumns(), rows = head.blockRows();
-    const ClassFields fields{head.coarseWidth, evenBias};
-    PatchFields patch{{}, {}, -8, -8, 4};
-    patch.fields.fill(fields);
-    for (unsigned four = 0; four < patchFours; ++four)
+    const ResidualReader reader(record, tile.plan, 0, 0, 4);
+    PatchResiduals residuals;
+    for (unsigned four = 0; four < patchFours; ++four) {
+        std::array<uint32_t, 4> places{};
         for (unsigned k = 0; k < 4; ++k)
-            patch.places[four][k] =
-                static_cast<int32_t>(parts.coarse + fields.bits() * coarseFields[columns][rows][four][k]);
-    const ResidualReader reader(bits, head);
-    const PatchFours fours(tileCorners(head, bits), PatchResiduals(reader, patch), columns, rows, 0);
+            places[k] = tile.plan.coarse + tile.plan.coarseBits * coarseFields[columns][rows][four][k];
+        residuals[four] = reader.read(four, coarseClass, 0, places);
+    }
+    const PatchFours fours(tileCorners(head, record + tile.plan.bits), residuals, columns, rows, 0);
     fours.storePatch(tile.points, columns, rows);
     tile.blocks = stepMask(columns, rows);
     setBoxes(record, head, tile);
 }
 
-// `place`: bit of TileBlocks::blocks.
-inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsigned place, Block& block) {
-    const TileHeader head = loadTileHeader(record);
-    const TileParts parts = tileParts(head);
-    const uint8_t* bits = record + parts.bits;
-    const unsigned i = stepsAtPlaces[head.blockColumns()][place % 4];
-    const unsigned j = stepsAtPlaces[head.blockRows()][place / 4];
-    const unsigned columns = head.columnsOf(i), rows = head.rowsOf(j);
-    const unsigned number = j * head.blockColumns() + i;
-    const unsigned drop = dropOf(record[tileHeaderBytes + number]);
-    PatchFields patch{{}, {}, static_cast<int32_t>(4 * i) - 8, static_cast<int32_t>(4 * j) - 8, 1};
-    for (unsigned four = 0; four < patchFours; ++four)
-        patch.fields[four] = fieldsOf(head, classOfFour[four], four < crosses ? 0 : drop);
-    setEdgePlaces(head, parts, i, j, patch.places);
-    uint32_t at = insidePlace(record, head, parts, i, j);
-    const InsideCounts counts = insideCounts(columns, rows);
-    for (const unsigned four : {unsigned{middle}, unsigned{crosses}, unsigned{diagonals}}) {
-        const unsigned vertex = patch.fields[four].bits();
-        for (unsigned k = 0; k < 4; ++k)
-            patch.places[four][k] = static_cast<int32_t>(at + vertex * insideFields[columns][rows][four][k]);
-        at += vertex * (four == middle ? counts.centres : counts.crosses);
-    }
+// The corners of a block, clockwise; `first` is where the first stands.
+HWY_INLINE Four blockCorners(const TileBlocks& tile, unsigned first) {
     alignas(64) std::array<int32_t, 16> corners{};
-    const unsigned first = place / 4 * 5 + place % 4;
     for (unsigned k = 0; k < 3; ++k) {
         corners[4 * k] = tile.points[k][first];
         corners[4 * k + 1] = tile.points[k][first + 1];
         corners[4 * k + 2] = tile.points[k][first + 6];
         corners[4 * k + 3] = tile.points[k][first + 5];
     }
-    const ResidualReader reader(bits, head);
-    const PatchFours fours(load(corners.data()), PatchResiduals(reader, patch), columns, rows, head.curve);
+    return load(corners.data());
+}
+
+inline uint32_t diagonalsOf(const uint8_t* record, unsigned number, const Block& block, unsigned columns,
+                            unsigned rows) {
+    const TileHeader head = loadTileHeader(record);
+    const uint32_t stored = loadLe<uint16_t>(record + tileParts(head).diagonals + size_t{2} * number);
+    uint32_t bd = 0;
+    for (unsigned k = 0; k < 16; ++k) {
+        if ((block.quads >> k & 1) == 0) continue;
+        const unsigned x = stepsAtPlaces[columns][k % 4], y = stepsAtPlaces[rows][k / 4];
+        bd |= (stored >> (4 * y + x) & 1) << k;
+    }
+    return bd;
+}
+
+// `place`: bit of TileBlocks::blocks.
+inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsigned place, Block& block) {
+    const TilePlan& plan = tile.plan;
+    const unsigned i = stepsAtPlaces[blocksOf(plan.columns)][place % 4];
+    const unsigned j = stepsAtPlaces[blocksOf(plan.rows)][place / 4];
+    const unsigned columns = stepsOfBlock(plan.columns, i), rows = stepsOfBlock(plan.rows, j);
+    const unsigned number = j * blocksOf(plan.columns) + i;
+    FieldPlaces places;
+    setEdgePlaces(plan, i, j, places);
+    setInsidePlaces(plan, number, columns, rows, places);
+    const ResidualReader reader(record, plan, static_cast<int32_t>(4 * i), static_cast<int32_t>(4 * j), 1);
+    PatchResiduals residuals;
+    for (unsigned four = 0; four < patchFours; ++four)
+        residuals[four] = reader.read(four, classOfFour[four],
+                                      four < crosses ? 0 : dropOf(plan.drops[number]), places[four]);
+    const PatchFours fours(blockCorners(tile, place / 4 * 5 + place % 4), residuals, columns, rows,
+                           plan.curve);
     alignas(64) std::array<PatchAxis<int32_t>, 3> points;
     fours.storePatch(points, columns, rows);
     for (size_t k = 0; k < 3; ++k) {
@@ -309,15 +371,9 @@ inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsig
         store(toFloat(load(points[k].data() + 16)), block.points[k].data() + 16);
     }
     block.quads = stepMask(columns, rows);
-    block.bd = head.diagonals == TileDiagonals::allBd ? 0xffff : 0;
-    if (head.diagonals == TileDiagonals::mixed) {
-        const uint32_t stored = loadLe<uint16_t>(record + parts.diagonals + size_t{2} * number);
-        for (unsigned k = 0; k < 16; ++k) {
-            if ((block.quads >> k & 1) == 0) continue;
-            const unsigned x = stepsAtPlaces[columns][k % 4], y = stepsAtPlaces[rows][k / 4];
-            block.bd |= (stored >> (4 * y + x) & 1) << k;
-        }
-    }
+    const auto diagonals = static_cast<TileDiagonals>(fieldOf(loadLe<uint32_t>(record + 4), 24, 2));
+    block.bd = diagonals == TileDiagonals::allBd ? 0xffff : 0;
+    if (diagonals == TileDiagonals::mixed) block.bd = diagonalsOf(record, number, block, columns, rows);
 }
 
 }  // namespace filigree::grid::HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include "grid/tile_layout.h"
 #include "grid/tile_order.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -29,6 +30,21 @@ inline constexpr std::array<std::array<PatchPlace, 4>, patchFours> placesOfFour{
     {{{1, 1}, {3, 1}, {3, 3}, {1, 3}}},
     {{{2, 2}, {2, 2}, {2, 2}, {2, 2}}},
 }};
+
+// The same by axis.
+struct FourPlaces {
+    alignas(16) std::array<std::array<int32_t, 4>, patchFours> x, y;
+};
+constexpr FourPlaces fourPlacesByAxis() {
+    FourPlaces places{};
+    for (unsigned four = 0; four < patchFours; ++four)
+        for (unsigned k = 0; k < 4; ++k) {
+            places.x[four][k] = placesOfFour[four][k].x;
+            places.y[four][k] = placesOfFour[four][k].y;
+        }
+    return places;
+}
+inline constexpr FourPlaces fourPlaces = fourPlacesByAxis();
 
 // In vertices from the first of the class; 0 where a vertex is vacant.
 using FieldIndices = std::array<std::array<uint8_t, 4>, patchFours>;
@@ -79,49 +95,52 @@ constexpr auto forAllSteps(const Of& of) {
 inline constexpr auto coarseFields = forAllSteps(coarseFieldIndices);
 inline constexpr auto insideFields = forAllSteps(insideFieldIndices);
 
-// Bits of one class of a patch: where its first vertex begins, and widths per axis.
-struct ClassFields {
-    std::array<unsigned, 3> width{};
-    unsigned dominantBias = evenBias;
-    [[nodiscard]] unsigned bits() const { return width[0] + width[1] + width[2]; }
-};
-
 // Where each vertex of a patch begins, in bits from the start of the bit string.
-using FieldPlaces = std::array<std::array<int32_t, 4>, patchFours>;
+using FieldPlaces = std::array<std::array<uint32_t, 4>, patchFours>;
 
-// Of the edges of block (i, j).
-inline void setEdgePlaces(const TileHeader& head, const TileParts& parts, unsigned i, unsigned j,
-                          FieldPlaces& places) {
-    const auto place = [&](uint32_t first, unsigned bits, auto perBlock, unsigned add) {
-        const unsigned across = edgesAcross(head, perBlock);
-        const unsigned upright =
-            across * (head.blockRows() + 1) + j * (head.blockColumns() + 1) * perBlock(blockQuads);
-        const unsigned down = perBlock(head.rowsOf(j));
-        const std::array<unsigned, 4> index{j * across + i * perBlock(blockQuads), upright + (i + 1) * down,
-                                            (j + 1) * across + i * perBlock(blockQuads), upright + i * down};
-        std::array<int32_t, 4> at{};
-        for (unsigned k = 0; k < 4; ++k) at[k] = static_cast<int32_t>(first + bits * (index[k] + add));
-        return at;
-    };
-    const unsigned quarterBits = vertexBits(head, edgeQuarter, 0);
-    places[edgeMids] = place(parts.edgeMids, vertexBits(head, edgeMid, 0), midsOf, 0);
-    places[lowQuarters] = place(parts.edgeQuarters, quarterBits, quartersOf, 0);
-    places[highQuarters] = place(parts.edgeQuarters, quarterBits, quartersOf, 1);
-    // An edge of three steps has the higher quarter only.
-    for (unsigned k = 0; k < 4; ++k)
-        if ((k % 2 == 0 ? head.columnsOf(i) : head.rowsOf(j)) < 4)
-            places[highQuarters][k] = places[lowQuarters][k];
+inline constexpr unsigned coarseClass = residualClasses;
+TilePlan tilePlan(const uint8_t* record, const TileHeader& head);
+
+constexpr unsigned blocksOf(unsigned quads) {
+    return (quads + blockQuads - 1) / blockQuads;
+}
+constexpr unsigned stepsOfBlock(unsigned quads, unsigned block) {
+    return std::min(blockQuads, quads - blockQuads * block);
 }
 
-// Where the inside of a block begins.
-inline uint32_t insidePlace(const uint8_t* record, const TileHeader& head, const TileParts& parts, unsigned i,
-                            unsigned j) {
-    uint32_t at = parts.insides;
-    const unsigned block = j * head.blockColumns() + i;
-    for (unsigned before = 0; before < block; ++before)
-        at += insideBits(head, before % head.blockColumns(), before / head.blockColumns(),
-                         dropOf(record[tileHeaderBytes + before]));
-    return at;
+// Of the edges of block (i, j).
+inline void setEdgePlaces(const TilePlan& plan, unsigned i, unsigned j, FieldPlaces& places) {
+    const unsigned blockColumns = blocksOf(plan.columns), blockRows = blocksOf(plan.rows);
+    const unsigned columns = stepsOfBlock(plan.columns, i), rows = stepsOfBlock(plan.rows, j);
+    const unsigned lastColumns = stepsOfBlock(plan.columns, blockColumns - 1);
+    const auto set = [&](PatchFour four, uint32_t first, unsigned bits, auto perBlock) {
+        const unsigned across = (blockColumns - 1) * perBlock(blockQuads) + perBlock(lastColumns);
+        const unsigned upright =
+            across * (blockRows + 1) + j * (blockColumns + 1) * perBlock(blockQuads) + i * perBlock(rows);
+        const unsigned level = j * across + i * perBlock(blockQuads);
+        places[four] = {first + bits * level, first + bits * (upright + perBlock(rows)),
+                        first + bits * (level + across), first + bits * upright};
+    };
+    set(edgeMids, plan.edgeMids, plan.edgeMidBits, midsOf);
+    set(lowQuarters, plan.edgeQuarters, plan.edgeQuarterBits, quartersOf);
+    // An edge of three steps has the higher quarter only.
+    for (unsigned k = 0; k < 4; ++k) {
+        const bool isBoth = (k % 2 == 0 ? columns : rows) == 4;
+        places[highQuarters][k] = places[lowQuarters][k] + (isBoth ? plan.edgeQuarterBits : 0U);
+    }
+}
+
+// Of what lies inside block number `block`, whose size in quads is columns x rows.
+inline void setInsidePlaces(const TilePlan& plan, unsigned block, unsigned columns, unsigned rows,
+                            FieldPlaces& places) {
+    const auto& bits = plan.insideBits[plan.drops[block]];
+    const InsideCounts counts = insideCounts(columns, rows);
+    uint32_t at = plan.inside[block];
+    for (const unsigned four : {unsigned{middle}, unsigned{crosses}, unsigned{diagonals}}) {
+        const unsigned vertex = bits[classOfFour[four] - insideCentre];
+        for (unsigned k = 0; k < 4; ++k) places[four][k] = at + vertex * insideFields[columns][rows][four][k];
+        at += vertex * (four == middle ? counts.centres : counts.crosses);
+    }
 }
 
 }  // namespace filigree::grid

@@ -14,11 +14,6 @@ Box rootBox(const bvh::Node& root) {
     return box;
 }
 
-// How far the coordinates that triangles are tested in may be off, and with them which triangle a ray hits
-// that passes between two: four roundings of places and of the shear's product, each 2^-24 of no more than
-// twice the largest coordinate.
-constexpr float slackShare = 8 * 0x1p-24F;
-
 // Rays from further away start near the scene instead: in floats they would be too coarse.
 constexpr double farExtents = 16;
 
@@ -33,11 +28,12 @@ TracedScene::TracedScene(const EncodedGrids& grids) {
     for (size_t k = 0; k < 3 && !box.empty(); ++k) {
         centre[k] = (double{box.low[k]} + box.high[k]) / 2;
         extent = std::max(extent, double{box.high[k]} - box.low[k]);
-        largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
+        largest[k] = std::max(std::abs(box.low[k]), std::abs(box.high[k]));
     }
 }
 
 bool TracedRay::start(const TracedScene& scene, const Ray& ray) {
+    hit.leaf = bvh::noLeaf;
     std::array<double, 3> from{};
     std::array<double, 3> along{};
     double longest = 0;
@@ -64,25 +60,21 @@ bool TracedRay::start(const TracedScene& scene, const Ray& ray) {
         shift_ = dot / square;
         for (size_t k = 0; k < 3; ++k) from[k] += shift_ * along[k];
     }
-    float largest = scene.largest;
     for (size_t k = 0; k < 3; ++k) {
         origin[k] = static_cast<float>(from[k]);
         direction[k] = static_cast<float>(along[k]);
-        largest = std::max(largest, std::abs(origin[k]));
+        // What passes the scene far away even where it is nearest.
+        if (shift_ != 0 && std::abs(from[k] - scene.centre[k]) > 2 * farExtents * scene.extent) return false;
     }
-    // What still passes the scene far away.
-    if (shift_ != 0 && !(largest <= 4 * (scene.largest + farExtents * scene.extent))) return false;
     tMin = static_cast<float>(ray.tMin * scale_ - shift_);
     tMax = static_cast<float>(ray.tMax * scale_ - shift_);
-    slack = slackShare * 2 * largest;
-    hit = {};
     setShear();
-    setPlanes();
+    setPlanes(scene);
     return true;
 }
 
 bvh::Segment TracedRay::segment() const {
-    return {origin, direction, tMin, tMax, slack};
+    return {origin, direction, tMin, tMax};
 }
 
 float TracedRay::worldT(const Ray& ray) const {
@@ -101,15 +93,15 @@ void TracedRay::setShear() {
     shearY = direction[axes[1]] / direction[z];
 }
 
-// As the walk through the hierarchy does it, but lattice coordinates are exact: what rounds is the
-// difference, the reciprocal and the product.
-void TracedRay::setPlanes() {
+// As the walk through the hierarchy does it; lattice coordinates are exact, so it errs by less.
+void TracedRay::setPlanes(const TracedScene& scene) {
     constexpr float steepest = 0x1p60F;
     for (size_t k = 0; k < 3; ++k) {
         const bool isFlat = std::abs(direction[k]) < 1 / steepest;
         reciprocal[k] = isFlat ? std::copysign(steepest, direction[k]) : 1 / direction[k];
-        boxLow[k] = origin[k] + 2 * slack;
-        boxHigh[k] = origin[k] - 2 * slack;
+        const float slack = bvh::walkSlack * (scene.largest[k] + std::abs(origin[k]));
+        boxLow[k] = origin[k] + slack;
+        boxHigh[k] = origin[k] - slack;
     }
 }
 

@@ -17,7 +17,7 @@ struct TracedScene {
     std::array<double, 3> step{1, 1, 1};
     std::array<double, 3> centre{};  // record coordinates
     double extent = 0;               // the longest side
-    float largest = 0;               // no coordinate is greater
+    Vec3 largest{};                  // no coordinate is greater
 };
 
 // A triangle that was hit, in record coordinates.
@@ -36,13 +36,13 @@ struct TracedRay {
     // False for a ray that hits nothing, being nowhere or pointing nowhere.
     bool start(const TracedScene& scene, const Ray& ray);
     [[nodiscard]] bvh::Segment segment() const;
+    [[nodiscard]] bool isHit() const { return hit.leaf != bvh::noLeaf; }
     [[nodiscard]] float worldT(const Ray& ray) const;
 
     Vec3 origin{};
     Vec3 direction{};
     float tMin = 0;
     float tMax = 0;  // of the nearest hit, once there is one
-    float slack = 0;
     TracedHit hit;
 
     // Coordinates in which the ray is the third axis: x - shearX * z, y - shearY * z (Woop, Benthin and Wald
@@ -62,7 +62,7 @@ struct TracedRay {
     double shift_ = 0;
 
     void setShear();
-    void setPlanes();
+    void setPlanes(const TracedScene& scene);
 };
 
 }  // namespace filigree::grid

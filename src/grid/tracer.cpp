@@ -6,13 +6,43 @@
 #include "grid/ray_kernels.h"
 #include "grid/traced_ray.h"
 
+#include <array>
 #include <cassert>
+#include <utility>
+
+#include <hwy/cache_control.h>
 
 namespace filigree::grid {
 
+namespace {
+
+// Rays that are traced by turns: while one waits for memory or for what it computed last, others go on.
+class RayTurns {
+  public:
+    static constexpr size_t count = 16;
+
+    bvh::Walk& walk(size_t k) { return walks_[k]; }
+    TracedRay& traced(size_t k) { return traced_[k]; }
+    size_t& ray(size_t k) { return rays_[k]; }
+
+    // Those that walk come first.
+    std::array<bvh::Walk*, count> order{};
+    size_t walking = 0;
+    [[nodiscard]] size_t numberOf(size_t place) const {
+        return static_cast<size_t>(order[place] - walks_.data());
+    }
+
+  private:
+    std::array<bvh::Walk, count> walks_;
+    std::array<TracedRay, count> traced_;
+    std::array<size_t, count> rays_{};
+};
+
+}  // namespace
+
 struct Tracer::Data {
     explicit Data(const EncodedGrids& encoded)
-        : grids(encoded), scene(encoded), kernels(rayKernels()), nextLeaf(bvh::nextLeafFunction()) {
+        : grids(encoded), scene(encoded), kernels(rayKernels()), walks(bvh::walkFunctions()) {
         source = {&encoded, &unitVectors(), &cache};
         testLeaf = encoded.codec == Codec::paper ? kernels.subGrid : kernels.tile;
     }
@@ -20,34 +50,85 @@ struct Tracer::Data {
     const EncodedGrids& grids;
     TracedScene scene;
     RayKernels kernels;
-    bvh::NextLeaf nextLeaf;
+    bvh::WalkFunctions walks;
     RayKernels::TestLeaf testLeaf;
     BlockCache cache;
     LeafSource source;
-    bvh::Walk walk;
-    TracedRay traced;
+    bvh::Walk oneWalk;
+    TracedRay oneRay;
+    std::unique_ptr<RayTurns> batch = std::make_unique<RayTurns>();
 
     void trace(const Ray& ray, bool any) {
-        traced.hit = {};
-        if (!traced.start(scene, ray)) return;
-        walk.start(traced.segment());
-        for (;;) {
-            const uint32_t leaf = nextLeaf(grids.nodes.data(), walk);
-            if (leaf == bvh::noLeaf) return;
-            const auto test = isClusterLeaf(grids, leaf) ? kernels.cluster : testLeaf;
-            if (test(source, leaf, traced, any) && any) return;
-            walk.tMax = traced.tMax;
-        }
+        if (!oneRay.start(scene, ray)) return;
+        oneWalk.start(oneRay.segment(), grids.nodes[0]);
+        do {
+            walks.nextLeaf(grids.nodes.data(), oneWalk);
+        } while (!testLeafOf(oneWalk, oneRay, any));
     }
-    [[nodiscard]] bool isHit() const { return traced.hit.leaf != bvh::noLeaf; }
+    // done(k, traced) for each ray once its hit is known, in any order.
+    template <class Done>
+    void traceAll(std::span<const Ray> rays, bool any, const Done& done);
 
     // What of the grid was hit.
-    void setPlace(Hit& hit) const;
-    [[nodiscard]] Hit hitOf(const Ray& ray) const;
+    void setPlace(const TracedHit& from, Hit& hit) const;
+    [[nodiscard]] Hit hitOf(const Ray& ray, const TracedRay& traced) const;
+
+  private:
+    // Tests a walk's leaf; true where nothing more can come.
+    bool testLeafOf(bvh::Walk& walk, TracedRay& traced, bool any) {
+        if (walk.leaf == bvh::noLeaf) return true;
+        const auto test = isClusterLeaf(grids, walk.leaf) ? kernels.cluster : testLeaf;
+        if (test(source, walk.leaf, traced, any) && any) return true;
+        walk.tMax = traced.tMax;
+        return false;
+    }
+    void prefetch(uint32_t leaf) const;
 };
 
-void Tracer::Data::setPlace(Hit& hit) const {
-    const TracedHit& from = traced.hit;
+void Tracer::Data::prefetch(uint32_t leaf) const {
+    if (leaf == bvh::noLeaf) return;
+    const uint8_t* record = leafRecord(grids, leaf);
+    hwy::Prefetch(record);
+    hwy::Prefetch(record + 64);
+    hwy::Prefetch(record + 128);
+}
+
+template <class Done>
+void Tracer::Data::traceAll(std::span<const Ray> rays, bool any, const Done& done) {
+    RayTurns& turns = *batch;
+    size_t next = 0;
+    // Puts the next ray that may hit something into a place; false when there is none left.
+    const auto begin = [&](size_t number) {
+        for (; next < rays.size(); ++next) {
+            TracedRay& ray = turns.traced(number);
+            if (!ray.start(scene, rays[next])) {
+                done(next, ray);
+                continue;
+            }
+            turns.walk(number).start(ray.segment(), grids.nodes[0]);
+            turns.ray(number) = next++;
+            return true;
+        }
+        return false;
+    };
+    size_t walking = 0;
+    for (size_t k = 0; k < RayTurns::count && begin(k); ++k) turns.order[walking++] = &turns.walk(k);
+    while (walking > 0) {
+        const size_t before = walking;
+        walking = walks.nextLeaves(grids.nodes.data(), turns.order.data(), walking, walking / 2);
+        for (size_t k = walking; k < before; ++k) prefetch(turns.order[k]->leaf);
+        for (size_t k = walking; k < before; ++k) {
+            const size_t number = turns.numberOf(k);
+            if (testLeafOf(*turns.order[k], turns.traced(number), any)) {
+                done(turns.ray(number), turns.traced(number));
+                if (!begin(number)) continue;
+            }
+            std::swap(turns.order[walking++], turns.order[k]);
+        }
+    }
+}
+
+void Tracer::Data::setPlace(const TracedHit& from, Hit& hit) const {
     const uint8_t* record = leafRecord(grids, from.leaf);
     if (isClusterLeaf(grids, from.leaf)) {
         hit.grid = looseGrid;
@@ -71,13 +152,13 @@ void Tracer::Data::setPlace(Hit& hit) const {
     hit.row = tileQuads * head.tileRow + blockQuads * j + stepsAtPlaces[head.rowsOf(j)][from.quad / 4U];
 }
 
-Hit Tracer::Data::hitOf(const Ray& ray) const {
+Hit Tracer::Data::hitOf(const Ray& ray, const TracedRay& traced) const {
     Hit hit;
-    if (!isHit()) return hit;
+    if (!traced.isHit()) return hit;
     hit.t = traced.worldT(ray);
     hit.u = traced.hit.u;
     hit.v = traced.hit.v;
-    setPlace(hit);
+    setPlace(traced.hit, hit);
     const auto& corners = traced.hit.corners;
     std::array<std::array<double, 3>, 2> side{};
     for (size_t k = 0; k < 3; ++k) {
@@ -98,26 +179,28 @@ Tracer::~Tracer() = default;
 
 Hit Tracer::closest(const Ray& ray) {
     data_->trace(ray, false);
-    return data_->hitOf(ray);
+    return data_->hitOf(ray, data_->oneRay);
 }
 
 bool Tracer::any(const Ray& ray) {
     data_->trace(ray, true);
-    return data_->isHit();
+    return data_->oneRay.isHit();
 }
 
 void Tracer::closest(std::span<const Ray> rays, std::span<Hit> hits) {
     assert(hits.size() == rays.size());
-    for (size_t k = 0; k < rays.size(); ++k) hits[k] = closest(rays[k]);
+    data_->traceAll(rays, false,
+                    [&](size_t k, const TracedRay& traced) { hits[k] = data_->hitOf(rays[k], traced); });
 }
 
 void Tracer::any(std::span<const Ray> rays, std::span<uint8_t> answers) {
     assert(answers.size() == rays.size());
-    for (size_t k = 0; k < rays.size(); ++k) answers[k] = any(rays[k]) ? 1 : 0;
+    data_->traceAll(rays, true,
+                    [&](size_t k, const TracedRay& traced) { answers[k] = traced.isHit() ? 1 : 0; });
 }
 
 uint64_t Tracer::bytes() const {
-    return sizeof(Data) + data_->cache.bytes();
+    return sizeof(Data) + sizeof(RayTurns) + data_->cache.bytes();
 }
 
 }  // namespace filigree::grid

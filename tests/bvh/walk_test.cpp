@@ -33,13 +33,13 @@ bool meets(const Box& box, const Segment& segment) {
 
 std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment) {
     Walk walk;
-    walk.start(segment);
+    walk.start(segment, bvh.nodes[0]);
     std::vector<uint32_t> leaves;
-    const NextLeaf next = nextLeafFunction();
-    for (uint32_t leaf = next(bvh.nodes.data(), walk); leaf != noLeaf; leaf = next(bvh.nodes.data(), walk)) {
-        leaves.push_back(bvh.order[leaf]);
+    for (;;) {
+        walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+        if (walk.leaf == noLeaf) return leaves;
+        leaves.push_back(bvh.order[walk.leaf]);
     }
-    return leaves;
 }
 
 // All leaves met are found, and not many others.
@@ -115,11 +115,36 @@ TEST(BvhWalk, StopsWhereTheSegmentIsCutShort) {
     const auto boxes = terrainBoxes(60);
     const Bvh bvh = build(boxes, serialExecutor());
     Walk walk;
-    walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity});
-    const NextLeaf next = nextLeafFunction();
-    ASSERT_NE(next(bvh.nodes.data(), walk), noLeaf);
+    walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity}, bvh.nodes[0]);
+    walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+    ASSERT_NE(walk.leaf, noLeaf);
     walk.tMax = -1;
-    EXPECT_EQ(next(bvh.nodes.data(), walk), noLeaf);
+    walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+    EXPECT_EQ(walk.leaf, noLeaf);
+}
+
+TEST(BvhWalk, TakesTheSameWayByTurns) {
+    const auto boxes = strewnBoxes(3000, 100, 5);
+    const Bvh bvh = build(boxes, serialExecutor());
+    const auto segments = someSegments(100, 6);
+    std::vector<Walk> walks(segments.size());
+    std::vector<Walk*> order;
+    for (size_t k = 0; k < walks.size(); ++k) {
+        walks[k].start(segments[k], bvh.nodes[0]);
+        order.push_back(&walks[k]);
+    }
+    std::vector<std::vector<uint32_t>> ways(walks.size());
+    size_t walking = order.size();
+    while (walking > 0) {
+        const size_t before = walking;
+        walking = walkFunctions().nextLeaves(bvh.nodes.data(), order.data(), walking, walking / 2);
+        for (size_t k = walking; k < before; ++k) {
+            if (order[k]->leaf == noLeaf) continue;
+            ways[static_cast<size_t>(order[k] - walks.data())].push_back(bvh.order[order[k]->leaf]);
+            std::swap(order[k], order[walking++]);
+        }
+    }
+    for (size_t k = 0; k < walks.size(); ++k) EXPECT_EQ(ways[k], leavesMet(bvh, segments[k]));
 }
 
 TEST(BvhWalk, TakesTheSameWayWithEveryInstructionSet) {

@@ -18,42 +18,49 @@ struct Segment {
     Vec3 direction{};
     float tMin = 0;
     float tMax = 0;
-    // Boxes count as wider by this on every side: as much as the test of what lies in them may err.
-    float slack = 0;
 };
 
-// Give it to NextLeaf until there are no more leaves; where a hit is found, lower tMax before the next call.
+// By this share of the largest coordinates of boxes and origin on an axis, boxes count as wider on it: no
+// box is missed for rounding (Ize 2013), and no triangle in it that a watertight test in floats would hit.
+inline constexpr float walkSlack = 0x1p-19F;
+
+// Where a ray has got to. After a call of NextLeaf or NextLeaves `leaf` says what to test; where that finds a
+// hit, lower tMax before the next call.
 class Walk {
   public:
-    explicit Walk() = default;
-    void start(const Segment& segment);
+    // `root`: the first of the nodes.
+    void start(const Segment& segment, const Node& root);
 
+    uint32_t leaf = 0;  // noLeaf at the end
     float tMax = 0;
 
-    // For NextLeaf.
-    struct Entry {
-        float near;
-        uint32_t place;  // a node, or leafBit and a leaf
-    };
+    // For this room.
     static constexpr uint32_t leafBit = 0x80000000;
-    static constexpr size_t stackSize = maxDepth * (width - 1) + 1;
+    // Vectors of eight are written at the top.
+    static constexpr size_t stackSize = maxDepth * (width - 1) + 1 + width;
 
-    Vec3 origin{};
-    Vec3 reciprocal{};                     // of the direction
-    Vec3 slack{};                          // in t
-    std::array<uint32_t, 3> nearPlanes{};  // where in a node the near planes' bytes are
+    alignas(16) std::array<float, 4> nearOrigin{};  // widened
+    alignas(16) std::array<float, 4> farOrigin{};
+    alignas(16) std::array<float, 4> reciprocal{};  // of the direction
+    std::array<uint32_t, 3> nearPlanes{};           // where in a node the near planes' bytes are
     std::array<uint32_t, 3> farPlanes{};
     float tMin = 0;
-    size_t size = 0;
-    std::array<Entry, stackSize> stack;
+    uint32_t size = 0;  // of the stack
+    std::array<float, stackSize> nears;
+    std::array<uint32_t, stackSize> places;  // a node, or leafBit and a leaf
 };
 
-// Goes on to the next leaf whose box the segment may meet, and gives its number; none are left where it
-// returns noLeaf. Boxes are not missed for rounding (Ize 2013). `nodes` must have passed check().
 inline constexpr uint32_t noLeaf = 0xffffffff;
-using NextLeaf = uint32_t (*)(const Node* nodes, Walk& walk);
 
-// For the instruction set in use (core/target.h); all take the same way.
-NextLeaf nextLeafFunction();
+// For the instruction set in use (core/target.h); all take the same way. `nodes` must have passed check().
+struct WalkFunctions {
+    // Goes on to the next leaf whose box the segment may meet, nearest first.
+    void (*nextLeaf)(const Node* nodes, Walk& walk) = nullptr;
+
+    // Takes `count` walks on by turns, so that one computes while others wait, until no more than `enough`
+    // still walk. They come first then; returns how many. Those that have found a leaf or their end follow.
+    size_t (*nextLeaves)(const Node* nodes, Walk** walks, size_t count, size_t enough) = nullptr;
+};
+WalkFunctions walkFunctions();
 
 }  // namespace filigree::bvh
