@@ -137,7 +137,7 @@ report::LineChart comparisonChart(const CompareSummary& summary, unsigned states
     chart.title = fmt::format("{}, {} states", summary.scene, states);
     chart.x = {"level"};
     chart.x.whole = true;
-    chart.y = {"payload, descriptors and indices", "bytes", true};
+    chart.y = {"memory", "bytes", true};
     const auto levels = levelsOf(summary);
     for (const auto& method : methodsOf(summary, states)) {
         report::LineChart::Series series{method, {}, methodColour(method)};

@@ -6,6 +6,7 @@
 
 #include "jobs/command_words.h"
 #include "jobs/demo_scene.h"
+#include "jobs/demo_sizes.h"
 #include "jobs/demo_terrain.h"
 #include "jobs/demo_views.h"
 #include "jobs/inspection.h"
@@ -88,9 +89,7 @@ report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> sec
     page.title = "Filigree demo";
     page.lead =
         "A glade made in code, baked to opacity micromaps, proved right and rendered with and without them. "
-        "Trees, ferns, grass, "
-        "blossoms and "
-        "a chain-link fence are flat cards that alpha textures cut out.";
+        "Trees, ferns, grass, blossoms and a chain-link fence are flat cards that alpha textures cut out.";
     page.sections = std::move(sections);
     page.sections.insert(page.sections.begin() + 1,
                          report::Section{"Bake and proof", {bakeTable(summary), validationTable(summary)}});
@@ -170,6 +169,9 @@ Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, P
     auto terrain = addTerrain(summary, folder, executor, progress);
     if (!terrain) return terrain.error();
     sections->insert(sections->begin() + 1, std::move(*terrain));
+    auto sizes = measureDemo(summary.scene, folder, executor, progress);
+    if (!sizes) return sizes.error();
+    sections->insert(sections->end(), sizes->begin(), sizes->end());
     const std::string html = report::toHtml(pageOf(summary, std::move(*sections)));
     if (const auto written = writeFile(summary.page, html); !written) return written.error();
     return summary;

@@ -81,8 +81,8 @@ void Plot::addYAxis(const Axis& axis, const Scale& scale, const Axis& xAxis) {
     }
     drawing.shapes.push_back(Line{left, bottom, right, bottom, Ink::faint, 1});
     if (labelled) {
-        drawing.shapes.push_back(
-            Text{26, (top + bottom) / 2, labelOf(axis), textSize, Anchor::middle, Ink::text, false, true});
+        drawing.shapes.push_back(Text{26, (top + bottom) / 2, shortened(labelOf(axis), bottom - top),
+                                      textSize, Anchor::middle, Ink::text, false, true});
     }
     if (!labelOf(xAxis).empty()) {
         drawing.shapes.push_back(Text{(left + right) / 2, bottom + 38, labelOf(xAxis), textSize,

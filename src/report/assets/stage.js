@@ -2,8 +2,8 @@
 // canvases unless a name says otherwise.
 
 const mostPixels = 2.5e6;     // a larger canvas is drawn at a coarser ratio
-const firstTry = 25;          // ms to draw all before a coarse picture bridges the wait
 const slice = 12;             // ms of drawing between two looks at the input
+const patience = 60;          // ms of drawing before a coarse picture bridges the wait
 const coarseness = 4;
 const margin = 12;
 const mostScale = 4096;       // pixels a texel
@@ -47,8 +47,15 @@ class Stage {
 
   show(scene) {
     this.scene = scene;
+    this.forget();
     this.resize();
     this.fit();
+  }
+
+  // What is drawn belongs to another picture.
+  forget() {
+    this.drawnView = null;
+    if (this.width) this.contexts[1].clearRect(0, 0, this.width, this.height);
   }
 
   resize() {
@@ -62,6 +69,7 @@ class Stage {
     const before = this.width;
     [this.width, this.height] = [w, h];
     for (const canvas of this.layers) [canvas.width, canvas.height] = [w, h];
+    this.drawnView = null;
     if (before) this.redraw();
     else this.fit();
   }
@@ -123,29 +131,45 @@ class Stage {
     return new Raster(Math.ceil(this.width / part), Math.ceil(this.height / part), view, this.scene.size);
   }
 
+  // At once the old cells, moved and scaled to the new view; then the new ones, piece by piece.
   draw(since) {
     const ticket = ++this.ticket;
+    const begun = performance.now();
+    this.moveCells();
     this.drawBase();
     this.drawMarks();
+    this.note(since, false);
     const fine = this.raster(1);
     const steps = this.scene.start(fine);
-    if (advance(steps, firstTry)) {
-      this.contexts[1].putImageData(fine.image(), 0, 0);
-      this.note(since, true);
-      return;
-    }
-    this.drawCoarse();
-    this.note(since, false);
+    let bridged = false;
     const goOn = () => {
       if (ticket !== this.ticket) return;
-      if (!advance(steps, slice)) {
-        setTimeout(goOn);
+      if (advance(steps, slice)) {
+        this.showCells(() => this.contexts[1].putImageData(fine.image(), 0, 0));
+        this.note(since, true);
         return;
       }
-      this.contexts[1].putImageData(fine.image(), 0, 0);
-      this.note(since, true);
+      if (!bridged && performance.now() - begun > patience) {
+        bridged = true;
+        this.showCells(() => this.drawCoarse());
+      }
+      setTimeout(goOn);
     };
     setTimeout(goOn);
+  }
+
+  showCells(draw) {
+    draw();
+    this.drawnView = { ...this.view };
+    this.layers[1].style.transform = '';
+  }
+
+  moveCells() {
+    if (!this.drawnView) return;
+    const times = this.view.scale / this.drawnView.scale;
+    const x = (this.view.left - times * this.drawnView.left) / this.ratio;
+    const y = (this.view.top - times * this.drawnView.top) / this.ratio;
+    this.layers[1].style.transform = `translate(${x}px, ${y}px) scale(${times})`;
   }
 
   drawCoarse() {
