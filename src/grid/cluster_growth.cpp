@@ -14,7 +14,9 @@ namespace filigree::grid {
 namespace {
 
 constexpr uint32_t noTriangle = 0xffffffff;
-constexpr size_t mostLookedAt = 256;  // entries of one list, so that no list is walked again and again
+// Entries of one list, so that no list is walked again and again; and free triangles to one side of another.
+constexpr uint32_t mostLookedAt = 256;
+constexpr size_t mostTried = 24;
 
 // To 2e-4; the same on every machine, as std::log2 need not be. `x` is positive.
 float roughLog2(float x) {
@@ -122,7 +124,7 @@ class ClusterGrowth {
 
     void extendFrontier(uint32_t vertex) {
         const auto here = corners_.bucket(vertex);
-        for (const uint32_t item : here.first(std::min(here.size(), mostLookedAt))) {
+        for (const uint32_t item : here.first(std::min<size_t>(here.size(), mostLookedAt))) {
             const uint32_t t = item / 3;
             if (taken_[t] || frontierMark_[t] == epoch_) continue;
             frontierMark_[t] = epoch_;
@@ -170,21 +172,23 @@ class ClusterGrowth {
     // Of the triangles next in order to `from` the one that costs least, if it costs little enough.
     uint32_t nearbyTriangle(uint32_t from) {
         constexpr float recordBits = 60;
-        const float free = static_cast<float>(maxClusterTriangles - members_.size()) / maxClusterTriangles;
-        const float now = static_cast<float>(vertices_) * widthOf(box_);
-        const float newVertices = 3 * widthOf(box_);
+        const float room = static_cast<float>(maxClusterTriangles - members_.size()) / maxClusterTriangles;
         uint32_t best = noTriangle;
-        float least = now + newVertices + recordBits * free;
+        float least = static_cast<float>(vertices_ + 3) * widthOf(box_) + recordBits * room;
+        size_t tried = 0;
         const auto lookAt = [&](uint32_t t) {
-            if (taken_[t] || isTooFar(t)) return;
-            const float bits = bitsWith(t);
-            if (bits >= least) return;
-            least = bits;
+            if (taken_[t]) return;
+            ++tried;
+            if (isTooFar(t) || bitsWith(t) >= least) return;
+            least = bitsWith(t);
             best = t;
         };
         const auto count = static_cast<uint32_t>(taken_.size());
-        for (uint32_t t = from + 1; t < count && t <= from + mostLookedAt; ++t) lookAt(t);
-        for (uint32_t t = from; t-- > 0 && t + mostLookedAt >= from;) lookAt(t);
+        const uint32_t last = std::min<uint32_t>(count - 1, from + mostLookedAt);
+        const uint32_t first = from > mostLookedAt ? from - mostLookedAt : 0;
+        for (uint32_t t = from + 1; t <= last && tried < mostTried; ++t) lookAt(t);
+        tried = 0;
+        for (uint32_t t = from; t-- > first && tried < mostTried;) lookAt(t);
         return best;
     }
 
@@ -217,7 +221,7 @@ class ClusterGrowth {
         size_t count = 0;
         for (const uint32_t v : part_.triangles[triangle]) {
             const auto here = corners_.bucket(v);
-            for (const uint32_t item : here.first(std::min(here.size(), mostLookedAt)))
+            for (const uint32_t item : here.first(std::min<size_t>(here.size(), mostLookedAt)))
                 count += taken_[item / 3] ? 0 : 1;
         }
         return count;
