@@ -2,8 +2,7 @@
 #include "filigree/io/fil.h"
 
 #include "io/fil_layout.h"
-#include "io/fil_meta.h"
-#include "io/fil_sections.h"
+#include "io/fil_loading.h"
 #include "io/fil_table.h"
 
 #include <algorithm>
@@ -49,21 +48,12 @@ std::string contentOf(const FilAsset& asset) {
 }
 
 Result<FilFile> FilFile::read(const std::filesystem::path& path, const FilReadOptions& options) {
-    Result<MappedFile> mapped = MappedFile::open(path);
-    if (!mapped) return mapped.error();
-    FilFile file;
-    file.mapped_ = std::move(*mapped);
-    if (const Status status = file.open(file.mapped_.bytes(), options); !status)
-        return status.error().within(path.string());
-    return file;
+    return FilLoading::read<FilFile>(path, options);
 }
 
 Result<FilFile> FilFile::parse(std::vector<uint8_t> bytes, const std::string& name,
                                const FilReadOptions& options) {
-    FilFile file;
-    file.bytes_ = std::move(bytes);
-    if (const Status status = file.open(file.bytes_, options); !status) return status.error().within(name);
-    return file;
+    return FilLoading::parse<FilFile>(std::move(bytes), name, options);
 }
 
 Status FilFile::open(std::span<const uint8_t> bytes, const FilReadOptions& options) {
@@ -71,10 +61,8 @@ Status FilFile::open(std::span<const uint8_t> bytes, const FilReadOptions& optio
     auto table = readTable(bytes);
     if (!table) return table.error();
     FilSections sections(std::move(*table), options.maxBytes, plain_);
-    const auto meta = sections.take(FilKind::meta, 0, filMostMetaBytes);
-    if (!meta) return meta.error();
-    Result<FilHead> head = decodeMeta(*meta);
-    if (!head) return head.error().within("section meta");
+    auto head = headOf(sections);
+    if (!head) return head.error();
     if (head->squares)
         return Error{ErrorKind::format, fmt::format("holds opacity squares ({}), expected micromaps",
                                                     quadmap::nameOf(*head->squares))};

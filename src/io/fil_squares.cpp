@@ -1,8 +1,7 @@
 #include "filigree/io/fil_squares.h"
 
 #include "io/fil_layout.h"
-#include "io/fil_meta.h"
-#include "io/fil_sections.h"
+#include "io/fil_loading.h"
 
 #include <cassert>
 
@@ -27,32 +26,15 @@ Status checkPlaces(std::span<const uint8_t> places, uint64_t triangles) {
     return {};
 }
 
-Result<FilHead> headOf(FilSections& sections) {
-    const auto meta = sections.take(FilKind::meta, 0, filMostMetaBytes);
-    if (!meta) return meta.error();
-    auto head = decodeMeta(*meta);
-    if (!head) return head.error().within("section meta");
-    return head;
-}
-
 }  // namespace
 
 Result<FilSquareFile> FilSquareFile::read(const std::filesystem::path& path, const FilReadOptions& options) {
-    Result<MappedFile> mapped = MappedFile::open(path);
-    if (!mapped) return mapped.error();
-    FilSquareFile file;
-    file.mapped_ = std::move(*mapped);
-    if (const Status status = file.open(file.mapped_.bytes(), options); !status)
-        return status.error().within(path.string());
-    return file;
+    return FilLoading::read<FilSquareFile>(path, options);
 }
 
 Result<FilSquareFile> FilSquareFile::parse(std::vector<uint8_t> bytes, const std::string& name,
                                            const FilReadOptions& options) {
-    FilSquareFile file;
-    file.bytes_ = std::move(bytes);
-    if (const Status status = file.open(file.bytes_, options); !status) return status.error().within(name);
-    return file;
+    return FilLoading::parse<FilSquareFile>(std::move(bytes), name, options);
 }
 
 Status FilSquareFile::open(std::span<const uint8_t> bytes, const FilReadOptions& options) {

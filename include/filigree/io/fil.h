@@ -100,6 +100,7 @@ class FilFile {
     void readIndices(uint64_t first, std::span<int32_t> to) const;
 
   private:
+    friend class FilLoading;
     FilFile() = default;
     Status open(std::span<const uint8_t> bytes, const FilReadOptions& options);
 

@@ -51,6 +51,7 @@ class FilSquareFile {
     [[nodiscard]] quadmap::SquarePlace place(uint64_t triangle) const;
 
   private:
+    friend class FilLoading;
     FilSquareFile() = default;
     Status open(std::span<const uint8_t> bytes, const FilReadOptions& options);
 
