@@ -1,11 +1,15 @@
 // The page docs/spec/lattice.md: every tile comes back as it was, and nothing broken is accepted.
 #include "filigree/grid/tile.h"
 
+#include "filigree/grid/lattice_choice.h"
+#include "filigree/grid/shapes.h"
+
 #include "grid/some_tiles.h"
 #include "grid/tile_boxes.h"
 #include "grid/tile_layout.h"
 #include "grid/tile_order.h"
 
+#include <cmath>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -68,6 +72,24 @@ TEST(Tile, StoresDiagonalsOnlyWhereTheyDiffer) {
 TEST(Tile, OfARegularSheetIsLittleMoreThanItsHeader) {
     // 16 quads each way and no height: corners of 6 bits twice.
     EXPECT_LE(encoded(someTile(TileSort::flat, 16, 16, 0)).size(), 64U);
+}
+
+// Bytes a triangle of all tiles at an RMS of `share` of the diagonal.
+double bytesPerTriangle(const GridMesh& mesh, double share) {
+    const double diagonal = std::hypot(1.0, 1.0);
+    const auto lattice = latticeForRms(mesh, share * diagonal, serialExecutor());
+    EXPECT_TRUE(lattice.ok());
+    std::vector<uint8_t> records;
+    for (uint32_t grid = 0; grid < mesh.grids.size(); ++grid)
+        for (const TilePlace& place : tilesOf(mesh.grids[grid], grid))
+            encodeTile(snapTile(mesh, *lattice, place), records);
+    return static_cast<double>(records.size()) / static_cast<double>(2 * mesh.quadCount());
+}
+
+TEST(Tile, IsAsSmallAsItWas) {
+    EXPECT_LE(bytesPerTriangle(terrain(257, serialExecutor()), 2e-6), 0.803);
+    EXPECT_LE(bytesPerTriangle(torus(257, serialExecutor()), 2e-5), 1.227);
+    EXPECT_LE(bytesPerTriangle(box(64, serialExecutor()), 2e-5), 1.242);
 }
 
 TEST(Tile, HasPartsWhereThePageSays) {
