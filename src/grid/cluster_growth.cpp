@@ -171,10 +171,11 @@ class ClusterGrowth {
 
     // Of the triangles next in order to `from` the one that costs least, if it costs little enough.
     uint32_t nearbyTriangle(uint32_t from) {
-        constexpr float recordBits = 60;
+        constexpr float recordBits = 300;  // of a leaf; nearly full ones gain little
         const float room = static_cast<float>(maxClusterTriangles - members_.size()) / maxClusterTriangles;
         uint32_t best = noTriangle;
-        float least = static_cast<float>(vertices_ + 3) * widthOf(box_) + recordBits * room;
+        float least =
+            static_cast<float>(vertices_ + 3) * widthOf(box_) + recordBits * room * room * room * room;
         size_t tried = 0;
         const auto lookAt = [&](uint32_t t) {
             if (taken_[t]) return;
