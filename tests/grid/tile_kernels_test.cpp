@@ -5,6 +5,7 @@
 #include "grid/ray_kernels.h"
 #include "grid/some_tiles.h"
 #include "grid/tile_boxes.h"
+#include "grid/tile_order.h"
 
 #include <algorithm>
 #include <memory>
@@ -70,6 +71,25 @@ void expectSame(const RayKernels& kernels, const KernelCase& of) {
         }
 }
 
+// That the cases use what records can do.
+void expectAllIsTried(const std::vector<KernelCase>& cases) {
+    std::array<unsigned, 3> dominant{};
+    std::array<unsigned, 4> drop{};
+    unsigned curved = 0, sheared = 0, growing = 0, biased = 0;
+    for (const KernelCase& of : cases) {
+        ++dominant[of.head.dominant];
+        for (unsigned block = 0; block < of.head.blocks(); ++block)
+            ++drop[of.record[tileHeaderBytes + block] & 3];
+        curved += of.head.curve != 0 ? 1 : 0;
+        sheared += of.head.shear[0] != 0 && of.head.shear[1] != 0 ? 1 : 0;
+        growing += of.head.shearColumn[0] != 0 && of.head.shearRow[1] != 0 ? 1 : 0;
+        biased += of.head.bias[edgeMid] != evenBias ? 1 : 0;
+    }
+    EXPECT_THAT(dominant, testing::Each(testing::Gt(9U)));
+    EXPECT_THAT(drop, testing::Each(testing::Gt(9U)));
+    EXPECT_THAT((std::array{curved, sheared, growing, biased}), testing::Each(testing::Gt(9U)));
+}
+
 TEST(TileKernels, DecodeAsThePlainDecoder) {
     std::vector<KernelCase> cases;
     for (const TileSort sort : everyTileSort) {
@@ -78,6 +98,7 @@ TEST(TileKernels, DecodeAsThePlainDecoder) {
                 cases.push_back(kernelCase(someTile(sort, columns, rows, columns * 31 + rows)));
         for (uint32_t seed = 0; seed < 8; ++seed) cases.push_back(kernelCase(someTile(sort, 16, 16, seed)));
     }
+    expectAllIsTried(cases);
     for (const char* target : {"scalar", "sse4", "avx2", "avx3"}) {
         if (!forceTarget(target)) continue;
         const RayKernels kernels = rayKernels();
