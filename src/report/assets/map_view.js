@@ -110,8 +110,15 @@ class MapView {
   async choose(number) {
     this.texture.value = number;
     this.root.dataset.ready = 'no';
-    const data = await TextureData.load(this.meta.textures[number], this.blobs.map((list) => list[number]));
-    if (Number(this.texture.value) !== number) return;
+    try {
+      const data = await TextureData.load(this.meta.textures[number], this.blobs.map((list) => list[number]));
+      if (Number(this.texture.value) === number) this.open(data);
+    } catch (error) {
+      this.note.textContent = `This browser cannot show the view: ${error.message}`;
+    }
+  }
+
+  open(data) {
     this.data = data;
     this.hit = null;
     this.pinned = false;
