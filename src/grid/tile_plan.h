@@ -46,10 +46,9 @@ LatticePoint fieldValue(const TileHeader& head, const TileResidual& residual);
 // Least width that holds [low, high] with a bias, 25 where none does.
 unsigned widthFor(int32_t low, int32_t high, unsigned bias);
 
-// Sets the widths and biases of `head` and the drops of `blocks`, given the shear. Returns the bits that the
-// residuals take.
-uint32_t chooseWidths(std::span<const TileResidual> residuals, TileHeader& head,
-                      std::array<uint8_t, tileBlocks * tileBlocks>& drops);
+// Sets the widths and biases of `head` and the drops of the blocks, given the rest.
+void chooseWidths(std::span<const TileResidual> residuals, TileHeader& head,
+                  std::array<uint8_t, tileBlocks * tileBlocks>& drops);
 
 // Sets the dominant axis, the curve and the shear.
 void choosePrediction(std::span<const TileResidual> residuals, TileHeader& head);
