@@ -129,6 +129,8 @@ class Inspect(CliTest):
         self.expect_done("inspect", "in.glb", "-o", "page", "--json", "inspect.json")
         json.loads((self.folder / "inspect.json").read_text())
         self.assertIn("page/index.html", self.files())
+        self.assertIn("map-view", (self.folder / "page/index.html").read_text())
+        self.expect_done("inspect", "in.glb", "-o", "page", "--full")
         self.assertTrue(any(name.endswith(".png") for name in self.files()))
 
 

@@ -226,7 +226,9 @@ class Loss(CliTest):
 class Compare(CliTest):
     def test_rows_and_files(self):
         self.write("in.glb", forest().glb())
-        result = self.expect_done("compare", "in.glb", "--levels", "2-4,6", "-o", "report", "--json", "c.json")
+        result = self.expect_done("compare", "in.glb", "--levels", "2-4,6", "-o", "report", "--json", "c.json",
+                                  "--html", "c.html")
+        self.assertIn("indexed-tree", (self.folder / "c.html").read_text())
         self.assertIn("indexed-tree", result.stdout)
         self.assertIn("report/compare.csv", self.files())
         self.assertIn("report/compare_2_states.svg", self.files())
