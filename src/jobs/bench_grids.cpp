@@ -48,6 +48,9 @@ Status checkBenchGrids(const BenchGridsOptions& options) {
             return Error{ErrorKind::usage, fmt::format("--sizes {}: give numbers from {} to {}", n,
                                                        leastShapeSize, mostShapeSize)};
     }
+    if (options.leakSize < leastShapeSize / 2 || options.leakSize > mostShapeSize)
+        return Error{ErrorKind::usage, fmt::format("--leak-size {}: give a number from {} to {}",
+                                                   options.leakSize, leastShapeSize / 2, mostShapeSize)};
     for (const std::string& name : options.methods) {
         if (!isGridMethod(name))
             return Error{ErrorKind::usage, fmt::format("--methods {}: choose among {}", name,
