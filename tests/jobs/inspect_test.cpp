@@ -5,8 +5,8 @@
 #include "filigree/jobs/bake.h"
 
 #include "io/temp_folder.h"
-#include "jobs/demo_scene.h"
 #include "jobs/command_words.h"
+#include "jobs/demo_scene.h"
 #include "jobs/inspection.h"
 #include "jobs/small_scene.h"
 
