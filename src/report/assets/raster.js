@@ -2,7 +2,7 @@
 // a pixel, or how many these are. Each pixel is looked up on its own, so a picture is exact however deep the zoom.
 
 const hiddenPixel = 1;        // covered, and clear
-const gridFromEdge = 5;       // pixels of a cell's edge from which its outline shows
+const gridFrom = 4;           // pixels of a cell's least height from which its outline shows
 const leastCell = 0.75;       // pixels of a cell's edge; finer nodes are mixed
 const outlineFromEdge = 7;    // pixels of a triangle's longest edge
 
@@ -139,8 +139,8 @@ class Lines {
     const flat = Math.hypot(t.b1X + t.b2X, t.b1Y + t.b2Y);
     this.n = n;
     this.heights = [1 / Math.hypot(t.b1X, t.b1Y), 1 / Math.hypot(t.b2X, t.b2Y), 1 / flat];
-    const edge = t.longest / n;
-    this.grid = level > 0 && edge >= gridFromEdge ? Math.min(0.15 + (edge - gridFromEdge) * 0.02, 0.5) : 0;
+    const thin = Math.min(...this.heights) / n;
+    this.grid = level > 0 && thin >= gridFrom ? Math.min(0.15 + (thin - gridFrom) * 0.025, 0.5) : 0;
     this.outline = t.longest >= outlineFromEdge ? 0.8 : 0;
     this.shown = this.grid > 0 || this.outline > 0;
   }
