@@ -9,6 +9,7 @@
 #include "jobs/command_words.h"
 #include "jobs/demo_views.h"
 
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -18,7 +19,7 @@ namespace filigree::jobs {
 namespace {
 
 constexpr uint32_t heightfieldSide = 1025;  // vertices, a cell of 1 apart
-constexpr double heightScale = 0.0025;      // a grey step, so that hills keep their shape
+constexpr double heightScale = 0.005;       // a grey step, so that hills keep their shape
 constexpr const char* heightsFile = "terrain.png";
 constexpr const char* gridsFile = "terrain.fil";
 constexpr const char* viewFile = "terrain-view.png";
@@ -28,6 +29,7 @@ Status writeHeights(const std::filesystem::path& file, const Executor& executor)
     const grid::GridMesh mesh = grid::terrain(heightfieldSide, executor);
     const Box box = grid::boundsOf(mesh);
     const double steps = (heightfieldSide - 1) / heightScale;  // of a unit of height
+    assert((box.high[1] - box.low[1]) * steps <= 65535);
     std::vector<uint16_t> greys;
     greys.reserve(mesh.vertices.size());
     for (const Vec3& v : mesh.vertices)
