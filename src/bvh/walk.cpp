@@ -37,6 +37,19 @@ constexpr SlotRanks slotRanksOfMasks() {
 }
 inline constexpr SlotRanks slotRanks = slotRanksOfMasks();
 
+// Like sortTop, without a branch: which is nearer cannot be foretold.
+inline void sortTwo(Walk& walk) {
+    float* const nears = walk.nears.data() + walk.size - 2;
+    uint32_t* const places = walk.places.data() + walk.size - 2;
+    const float nearA = nears[0], nearB = nears[1];
+    const uint32_t placeA = places[0], placeB = places[1];
+    const bool swaps = nearA <= nearB;
+    nears[0] = swaps ? nearB : nearA;
+    nears[1] = swaps ? nearA : nearB;
+    places[0] = swaps ? placeB : placeA;
+    places[1] = swaps ? placeA : placeB;
+}
+
 // The last `count` entries of the stack, which stand in slot order: the nearest comes last, of equal ones the
 // first slot.
 inline void sortTop(Walk& walk, uint32_t count) {
@@ -170,7 +183,11 @@ HWY_INLINE void visitNode(const Node& node, Walk& walk) {
         pushChildren(node, walk, times, first, leafMask);
     }
     const uint32_t count = walk.size - before;
-    if (count > 1) sortTop(walk, count);
+    if (count == 2) {
+        sortTwo(walk);
+    } else if (count > 2) {
+        sortTop(walk, count);
+    }
 }
 
 // One node on; true where that was the last before a leaf or the end.
@@ -222,7 +239,16 @@ namespace filigree::bvh {
 
 HWY_EXPORT(walkFunctionsHere);
 
-void Walk::start(const Segment& segment, const Node& root) {
+Vec3 largestCoordinates(const Node& root) {
+    Vec3 largest{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const float far = root.origin[axis] + std::ldexp(255.0F, root.exponent[axis]);
+        largest[axis] = std::max(std::abs(root.origin[axis]), std::abs(far));
+    }
+    return largest;
+}
+
+void Walk::start(const Segment& segment, const Vec3& largest) {
     // Directions that hardly leave a plane: finite all the same, and with the slack never out of a slab that
     // the origin is in.
     constexpr float steepest = 0x1p60F;
@@ -233,10 +259,8 @@ void Walk::start(const Segment& segment, const Node& root) {
         const float along = segment.direction[axis];
         const bool isFlat = std::abs(along) < 1 / steepest;
         reciprocal[axis] = isFlat ? std::copysign(steepest, along) : 1 / along;
-        const float far = root.origin[axis] + std::ldexp(255.0F, root.exponent[axis]);
-        const float largest = std::max(std::abs(root.origin[axis]), std::abs(far));
         const float slack =
-            std::copysign(walkSlack * (largest + std::abs(segment.origin[axis])), reciprocal[axis]);
+            std::copysign(walkSlack * (largest[axis] + std::abs(segment.origin[axis])), reciprocal[axis]);
         nearOrigin[axis] = segment.origin[axis] + slack;
         farOrigin[axis] = segment.origin[axis] - slack;
         const bool isForward = reciprocal[axis] > 0;

@@ -1,6 +1,7 @@
 #include "grid/traced_ray.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace filigree::grid {
@@ -24,11 +25,12 @@ TracedScene::TracedScene(const EncodedGrids& grids) {
         origin = grids.lattice.origin;
         step = grids.lattice.step;
     }
+    for (size_t k = 0; k < 3; ++k) perStep[k] = 1 / step[k];
+    largest = bvh::largestCoordinates(grids.nodes[0]);
     const Box box = rootBox(grids.nodes[0]);
     for (size_t k = 0; k < 3 && !box.empty(); ++k) {
         centre[k] = (double{box.low[k]} + box.high[k]) / 2;
         extent = std::max(extent, double{box.high[k]} - box.low[k]);
-        largest[k] = std::max(std::abs(box.low[k]), std::abs(box.high[k]));
     }
 }
 
@@ -39,17 +41,20 @@ bool TracedRay::start(const TracedScene& scene, const Ray& ray) {
     double longest = 0;
     double distance = 0;
     for (size_t k = 0; k < 3; ++k) {
-        from[k] = (ray.origin[k] - scene.origin[k]) / scene.step[k];
-        along[k] = ray.direction[k] / scene.step[k];
+        from[k] = (ray.origin[k] - scene.origin[k]) * scene.perStep[k];
+        along[k] = ray.direction[k] * scene.perStep[k];
         longest = std::max(longest, std::abs(along[k]));
         distance = std::max(distance, std::abs(from[k] - scene.centre[k]));
     }
     const bool isSomewhere = std::isfinite(from[0] + from[1] + from[2]) &&
                              std::isfinite(along[0] + along[1] + along[2]) && longest > 0;
     if (!isSomewhere || !(ray.tMin <= ray.tMax)) return false;
-    scale_ = std::ldexp(1.0, std::ilogb(longest));
+    // The power of two that is not greater; of what is too small for one, the least.
+    const uint64_t exponent = std::bit_cast<uint64_t>(longest) & uint64_t{0x7ff} << 52;
+    scale_ = std::bit_cast<double>(std::max(exponent, uint64_t{2} << 52));
+    const double perScale = std::bit_cast<double>((uint64_t{2046} << 52) - std::bit_cast<uint64_t>(scale_));
     shift_ = 0;
-    for (double& part : along) part /= scale_;
+    for (double& part : along) part *= perScale;
     if (distance > farExtents * scene.extent) {
         double dot = 0;
         double square = 0;

@@ -15,6 +15,7 @@ struct TracedScene {
 
     std::array<double, 3> origin{};  // world = origin + step * record
     std::array<double, 3> step{1, 1, 1};
+    std::array<double, 3> perStep{1, 1, 1};
     std::array<double, 3> centre{};  // record coordinates
     double extent = 0;               // the longest side
     Vec3 largest{};                  // no coordinate is greater

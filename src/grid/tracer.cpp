@@ -60,7 +60,7 @@ struct Tracer::Data {
 
     void trace(const Ray& ray, bool any) {
         if (!oneRay.start(scene, ray)) return;
-        oneWalk.start(oneRay.segment(), grids.nodes[0]);
+        oneWalk.start(oneRay.segment(), scene.largest);
         do {
             walks.nextLeaf(grids.nodes.data(), oneWalk);
         } while (!testLeafOf(oneWalk, oneRay, any));
@@ -105,7 +105,7 @@ void Tracer::Data::traceAll(std::span<const Ray> rays, bool any, const Done& don
                 done(next, ray);
                 continue;
             }
-            turns.walk(number).start(ray.segment(), grids.nodes[0]);
+            turns.walk(number).start(ray.segment(), scene.largest);
             turns.ray(number) = next++;
             return true;
         }
@@ -115,7 +115,7 @@ void Tracer::Data::traceAll(std::span<const Ray> rays, bool any, const Done& don
     for (size_t k = 0; k < RayTurns::count && begin(k); ++k) turns.order[walking++] = &turns.walk(k);
     while (walking > 0) {
         const size_t before = walking;
-        walking = walks.nextLeaves(grids.nodes.data(), turns.order.data(), walking, walking / 2);
+        walking = walks.nextLeaves(grids.nodes.data(), turns.order.data(), walking, walking / 4);
         for (size_t k = walking; k < before; ++k) prefetch(turns.order[k]->leaf);
         for (size_t k = walking; k < before; ++k) {
             const size_t number = turns.numberOf(k);

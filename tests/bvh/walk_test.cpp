@@ -33,7 +33,7 @@ bool meets(const Box& box, const Segment& segment) {
 
 std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment) {
     Walk walk;
-    walk.start(segment, bvh.nodes[0]);
+    walk.start(segment, largestCoordinates(bvh.nodes[0]));
     std::vector<uint32_t> leaves;
     for (;;) {
         walkFunctions().nextLeaf(bvh.nodes.data(), walk);
@@ -115,7 +115,7 @@ TEST(BvhWalk, StopsWhereTheSegmentIsCutShort) {
     const auto boxes = terrainBoxes(60);
     const Bvh bvh = build(boxes, serialExecutor());
     Walk walk;
-    walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity}, bvh.nodes[0]);
+    walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity}, largestCoordinates(bvh.nodes[0]));
     walkFunctions().nextLeaf(bvh.nodes.data(), walk);
     ASSERT_NE(walk.leaf, noLeaf);
     walk.tMax = -1;
@@ -130,7 +130,7 @@ TEST(BvhWalk, TakesTheSameWayByTurns) {
     std::vector<Walk> walks(segments.size());
     std::vector<Walk*> order;
     for (size_t k = 0; k < walks.size(); ++k) {
-        walks[k].start(segments[k], bvh.nodes[0]);
+        walks[k].start(segments[k], largestCoordinates(bvh.nodes[0]));
         order.push_back(&walks[k]);
     }
     std::vector<std::vector<uint32_t>> ways(walks.size());

@@ -24,12 +24,15 @@ struct Segment {
 // box is missed for rounding (Ize 2013), and no triangle in it that a watertight test in floats would hit.
 inline constexpr float walkSlack = 0x1p-19F;
 
+// No box under the root has greater coordinates, but for the last steps of its lattice.
+Vec3 largestCoordinates(const Node& root);
+
 // Where a ray has got to. After a call of NextLeaf or NextLeaves `leaf` says what to test; where that finds a
 // hit, lower tMax before the next call.
 class Walk {
   public:
-    // `root`: the first of the nodes.
-    void start(const Segment& segment, const Node& root);
+    // `largest`: largestCoordinates() of the first node.
+    void start(const Segment& segment, const Vec3& largest);
 
     uint32_t leaf = 0;  // noLeaf at the end
     float tMax = 0;
