@@ -86,7 +86,7 @@ class LooseClustering {
                 orderCluster(triangles_, members, turns);
                 for (size_t m = 0; m < members.size(); ++m) {
                     std::array<uint32_t, 3> triangle = mesh_.looseTriangles[members[m]];
-                    std::ranges::rotate(triangle, triangle.begin() + turns[m]);
+                    std::rotate(triangle.begin(), triangle.begin() + turns[m], triangle.end());
                     ordered.push_back(triangle);
                     if (!mesh_.looseSources.empty()) sources.push_back(mesh_.looseSources[members[m]]);
                 }

@@ -102,7 +102,7 @@ void expectSameLoose(const GridMesh& before, const GridMesh& after) {
         std::array<uint32_t, 3> triangle = after.looseTriangles[t];
         size_t turns = 0;
         for (; turns < 3 && triangle != before.looseTriangles[source]; ++turns)
-            std::ranges::rotate(triangle, triangle.begin() + 1);
+            std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
         EXPECT_LT(turns, 3U) << "triangle " << source << " changed";
     }
 }

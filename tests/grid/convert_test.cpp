@@ -25,7 +25,7 @@ Corners canonical(Corners corners) {
     for (Vec3& corner : corners) {
         for (float& x : corner) x += 0.0F;
     }
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     return corners;
 }
 
