@@ -109,7 +109,7 @@ report::BarChart sharingChart(const std::vector<InspectedTexture>& textures) {
             counts[i][powerBin(triangles)] += static_cast<double>(micromaps);
     }
     report::BarChart chart;
-    chart.title = "Micromaps by triangles that share them";
+    chart.title = "Micromaps by how many share them";
     chart.x = {"triangles"};
     chart.y = {"micromaps"};
     const auto bins = binsOf(counts);
@@ -127,7 +127,7 @@ report::BarChart overlapChart(const std::vector<InspectedTexture>& textures) {
             counts[i][triangles == 0 ? 0 : 1 + powerBin(triangles)] += share * texels;
     }
     report::BarChart chart;
-    chart.title = "Texels by triangles that lie over them";
+    chart.title = "Texels by triangles over them";
     chart.x = {"distinct triangles"};
     chart.y = {"texels"};
     const auto bins = binsOf(counts);
