@@ -23,7 +23,7 @@ void main() {
     const uint k = first + gl_GlobalInvocationID.x;
     const Query query = queries[k];
 #if ENCODING >= VQ2
-    found[k] = regionAt(query.map >> 1, query.map & 1u, query.u, query.v);
+    found[k] = regionAt(query.map >> 1, regionIn(query.map & 1u, query.u, query.v, squareSide));
 #else
     found[k] = stateAt(query.map, query.u, query.v);
 #endif

@@ -10,6 +10,7 @@
 #define VQ2_PLUS 8
 #define VQ4 9
 #define VQ4_PLUS 10
+#define NO_MAPS 11
 
 #if ENCODING == FLAT
 #include "flat.glsl"
@@ -33,4 +34,6 @@
 #include "vq4.glsl"
 #elif ENCODING == VQ4_PLUS
 #include "vq4_plus.glsl"
+#else
+#include "blocks.glsl"
 #endif

@@ -1,6 +1,8 @@
 // What `vq2` and `vq2+` read alike (Fenney and Ozkan 2023, section 4). docs/spec/vq2.md.
 #include "square.glsl"
 
+const uint squareSide = 16u;
+
 // What a block says of one region.
 struct Vq2Region {
     uvec2 book;  // the block's last 64 bits

@@ -1,9 +1,9 @@
 // Format `vq2+`: `vq2` with the order of words as a message. docs/spec/vq2-plus.md.
 #include "vq2_block.glsl"
 
-// The region of a map at weights u and v of vertices 1 and 2 of one half: 0 transparent, 1 mixed, 2 opaque.
-uint regionAt(uint map, uint half_, float u, float v) {
-    const Vq2Region region = vq2Region(map, regionIn(half_, u, v, 16u));
+// The region of a map in a column and row: 0 transparent, 1 mixed, 2 opaque.
+uint regionAt(uint map, uvec2 at) {
+    const Vq2Region region = vq2Region(map, at);
     const uint first = vq2Word(region.book, 24u + 10u * region.quadrant);
     const uint second = vq2Word(region.book, 29u + 10u * region.quadrant);
     const uint reread = ((first ^ second) & 1u) != 0u ? 2u : 0u;

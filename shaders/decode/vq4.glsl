@@ -10,9 +10,8 @@ uint vq4PalettePlace(uint index, uvec2 cell) {
     return 16u + 4u * (index - 8u) + 2u * part.y + part.x;
 }
 
-// The region of a map at weights u and v of vertices 1 and 2 of one half: 0 transparent, 1 mixed, 2 opaque.
-uint regionAt(uint map, uint half_, float u, float v) {
-    const uvec2 at = regionIn(half_, u, v, 32u);
+// The region of a map in a column and row: 0 transparent, 1 mixed, 2 opaque.
+uint regionAt(uint map, uvec2 at) {
     const uint index = vq4Index(map, at);
     if (index < 3u) return index;
     const uint quadrant = (at.y >> 4) * 2u + (at.x >> 4);

@@ -1,6 +1,8 @@
 // What `vq4` and `vq4+` read alike (Fenney and Ozkan 2023, section 5). docs/spec/vq4.md.
 #include "square.glsl"
 
+const uint squareSide = 32u;
+
 // Bit `at` of the last 48 bits of a block.
 uint vq4Tail(uint map, uint at, uint count) {
     return payloadBits(64u * map + 58u, at, count);

@@ -21,8 +21,18 @@ std::string methodNames() {
     return names;
 }
 
-// What each surface of the world finds in the maps.
-std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::World& world, bool textures) {
+Result<encoding::EncodedSet> encodeFor(Method method, unsigned states, const scene::Scene& scene,
+                                       const SceneMaps& maps, const Executor& executor) {
+    const auto encoding = trace::encodingOf(method);
+    if (!encoding) return encoding::EncodedSet{};
+    const auto format = states == 2 ? micromap::Format::twoState : micromap::Format::fourState;
+    return encodeMaps(scene, maps, *encoding, format, executor);
+}
+
+}  // namespace
+
+std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::World& world, Method method) {
+    const bool textures = method == Method::bitmask;
     std::unordered_map<const scene::Primitive*, const MapPrimitive*> found;
     for (const MapPrimitive& p : maps.primitives) found.emplace(p.primitive, &p);
     std::vector<trace::SurfaceMaps> surfaces(world.surfaceCount());
@@ -38,7 +48,6 @@ std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::
     return surfaces;
 }
 
-// What each surface of the world finds in the squares.
 std::vector<trace::SurfaceSquares> surfaceSquares(const SceneSquares& squares, const trace::World& world) {
     std::unordered_map<const scene::Primitive*, trace::SurfaceSquares> found;
     size_t first = 0;
@@ -55,16 +64,6 @@ std::vector<trace::SurfaceSquares> surfaceSquares(const SceneSquares& squares, c
     }
     return surfaces;
 }
-
-Result<encoding::EncodedSet> encodeFor(Method method, unsigned states, const scene::Scene& scene,
-                                       const SceneMaps& maps, const Executor& executor) {
-    const auto encoding = trace::encodingOf(method);
-    if (!encoding) return encoding::EncodedSet{};
-    const auto format = states == 2 ? micromap::Format::twoState : micromap::Format::fourState;
-    return encodeMaps(scene, maps, *encoding, format, executor);
-}
-
-}  // namespace
 
 Result<Method> findMethod(const std::string& name, std::string_view option) {
     if (const auto found = trace::methodNamed(name)) return *found;
@@ -90,8 +89,8 @@ Result<OpacityInput> makeOpacity(Method method, unsigned states, const scene::Sc
     if (!set) return set.error();
     OpacityInput input;
     input.set = std::move(*set);
-    auto opacity = trace::Opacity::make(method, states, world, viewOf(input.set),
-                                        surfaceMaps(maps, world, method == Method::bitmask));
+    auto opacity =
+        trace::Opacity::make(method, states, world, viewOf(input.set), surfaceMaps(maps, world, method));
     if (!opacity) return opacity.error();
     input.opacity.emplace(std::move(*opacity));
     return input;

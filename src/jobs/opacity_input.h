@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace filigree::jobs {
 
@@ -29,6 +30,11 @@ bool hasStates(trace::Method method);
 // Whether it reads what makeOpacity or what makeSquareOpacity makes; the texture takes either.
 bool readsMaps(trace::Method method);
 bool readsSquares(trace::Method method);
+
+// What each surface of the world finds in the maps, or in the squares. They look into them.
+std::vector<trace::SurfaceMaps> surfaceMaps(const SceneMaps& maps, const trace::World& world,
+                                            trace::Method method);
+std::vector<trace::SurfaceSquares> surfaceSquares(const SceneSquares& squares, const trace::World& world);
 
 // A method with the data that it looks into.
 struct OpacityInput {

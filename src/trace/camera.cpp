@@ -6,31 +6,6 @@
 #include <cmath>
 
 namespace filigree::trace {
-namespace {
-
-Vec3 axis(const scene::Camera& camera, size_t column) {
-    const auto& m = camera.transform;
-    const Vec3 v{m[4 * column], m[4 * column + 1], m[4 * column + 2]};
-    return dot(v, v) > 0 ? normalised(v) : v;
-}
-
-}  // namespace
-
-CameraRays::CameraRays(const scene::Camera& camera, uint32_t width, uint32_t height) {
-    const auto& m = camera.transform;
-    origin_ = {m[12], m[13], m[14]};
-    const float halfHeight = std::tan(camera.verticalFov / 2);
-    const float halfWidth = halfHeight * static_cast<float>(width) / static_cast<float>(height);
-    right_ = times(axis(camera, 0), 2 * halfWidth / static_cast<float>(width));
-    down_ = times(axis(camera, 1), -2 * halfHeight / static_cast<float>(height));
-    corner_ = plus(times(axis(camera, 2), -1),
-                   plus(times(axis(camera, 0), -halfWidth), times(axis(camera, 1), halfHeight)));
-}
-
-Vec3 CameraRays::through(float x, float y) const {
-    return normalised(plus(corner_, plus(times(right_, x), times(down_, y))));
-}
-
 scene::Camera lookAt(const Vec3& eye, const Vec3& target, const Vec3& up, float fov) {
     const Vec3 towards = minus(target, eye);
     const Vec3 back = dot(towards, towards) > 0 ? times(normalised(towards), -1) : Vec3{0, 0, 1};

@@ -101,13 +101,15 @@ class Walker {
           settings_(settings),
           sample_(sample),
           camera_(settings.camera, settings.width, settings.height),
-          epsilon_(std::max(1e-6F, 2e-5F * world.bounds().diagonal())),
-          aoDistance_(settings.aoDistance > 0 ? settings.aoDistance : 0.1F * world.bounds().diagonal()) {}
+          epsilon_(rayEpsilon(world)),
+          aoDistance_(aoDistanceOf(settings, world)) {}
 
     Vec3 pixel(uint32_t x, uint32_t y) {
         RandomStream random(settings_.seed, y * settings_.width + x, sample_);
-        const Vec3 direction =
-            camera_.through(static_cast<float>(x) + random.next(), static_cast<float>(y) + random.next());
+        // In this order, which a device keeps, too (shaders/picture.comp).
+        const float down = static_cast<float>(y) + random.next();
+        const float across = static_cast<float>(x) + random.next();
+        const Vec3 direction = camera_.through(across, down);
         const auto place = intersect(camera_.origin(), direction, RayKind::primary, random.bits());
         if (!place) return sky(direction);
         ++pixelsHit_;
@@ -233,6 +235,14 @@ TileResult renderTile(const World& world, const Opacity& opacity, const RenderSe
 }
 
 }  // namespace
+
+float rayEpsilon(const World& world) {
+    return std::max(1e-6F, 2e-5F * world.bounds().diagonal());
+}
+
+float aoDistanceOf(const RenderSettings& settings, const World& world) {
+    return settings.aoDistance > 0 ? settings.aoDistance : 0.1F * world.bounds().diagonal();
+}
 
 bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
                const Executor& executor, ProgressSink& progress, Film& film) {

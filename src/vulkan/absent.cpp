@@ -1,6 +1,8 @@
 // The room where Vulkan is left out: there is no device.
 #include "filigree/vulkan/device.h"
 #include "filigree/vulkan/lookup.h"
+#include "filigree/vulkan/picture.h"
+#include "filigree/vulkan/ray_scene.h"
 
 namespace filigree::vulkan {
 namespace {
@@ -14,6 +16,8 @@ Error notBuilt() {
 }  // namespace
 
 struct Device::Data {};
+struct RayScene::Data {};
+struct Painter::Data {};
 
 bool isBuilt() {
     return false;
@@ -56,6 +60,38 @@ Result<std::vector<micromap::State>> lookup(const Device&, const encoding::Encod
 Result<std::vector<quadmap::Region>> lookup(const Device&, const quadmap::SquareReader&,
                                             std::span<const uint32_t>, std::span<const quadmap::Half>,
                                             std::span<const float>, std::span<const float>) {
+    return notBuilt();
+}
+
+Result<RayScene> RayScene::build(const Device&, const scene::Scene&) {
+    return notBuilt();
+}
+
+RayScene::RayScene(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+RayScene::~RayScene() = default;
+
+size_t RayScene::surfaceCount() const {
+    return 0;
+}
+const scene::Primitive& RayScene::primitive(size_t) const {
+    static const scene::Primitive none;
+    return none;
+}
+RayScene::Bytes RayScene::bytes() const {
+    return {};
+}
+
+Result<Painter> Painter::make(const Device&, const RayScene&, const Method&) {
+    return notBuilt();
+}
+Painter::Painter(std::unique_ptr<Data> data) : data_(std::move(data)) {}
+Painter::Painter(Painter&&) noexcept = default;
+Painter& Painter::operator=(Painter&&) noexcept = default;
+Painter::~Painter() = default;
+
+Result<Picture> Painter::render(const PictureSettings&, ProgressSink&) {
     return notBuilt();
 }
 

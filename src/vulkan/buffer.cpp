@@ -38,8 +38,7 @@ Result<OwnedBuffer> makeHandle(Device::Data& device, uint64_t bytes, VkBufferUsa
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = bytes;
-    info.usage = usage | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                 VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    info.usage = usage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     VkBuffer buffer = VK_NULL_HANDLE;
     auto status = checked(vkCreateBuffer(device.device.get(), &info, nullptr, &buffer), action);
     if (!status) return status.error();
@@ -70,7 +69,9 @@ Result<OwnedMemory> allocate(Device::Data& device, const VkMemoryRequirements& n
 Result<Buffer> Buffer::make(Device::Data& device, uint64_t bytes, BufferPlace place, std::string_view what,
                             VkBufferUsageFlags usage) {
     const std::string action = fmt::format("make a buffer of {} bytes for {}", bytes, what);
-    if (bytes > device.limits.maxStorageBufferRange) {
+    const bool addressed = (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
+    const bool bound = (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0 && !addressed;
+    if (bound && bytes > device.limits.maxStorageBufferRange) {
         return Error{ErrorKind::limit,
                      fmt::format("{}: {} bytes, and the device's shaders read buffers of up to {}", what,
                                  bytes, device.limits.maxStorageBufferRange)};
@@ -82,7 +83,6 @@ Result<Buffer> Buffer::make(Device::Data& device, uint64_t bytes, BufferPlace pl
     made.buffer_ = std::move(*handle);
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.device.get(), made.get(), &needs);
-    const bool addressed = (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
     auto memory = allocate(device, needs, place, addressed, action);
     if (!memory) return memory.error();
     made.memory_ = std::move(*memory);
@@ -128,7 +128,7 @@ VkDeviceAddress Buffer::address() const {
 Result<Buffer> uploaded(Device::Data& device, std::span<const uint8_t> bytes, std::string_view what,
                         VkBufferUsageFlags usage, uint64_t padding) {
     const uint64_t size = bytes.size() + padding;
-    auto staging = Buffer::make(device, size, BufferPlace::shared, what);
+    auto staging = Buffer::make(device, size, BufferPlace::shared, what, 0);
     if (!staging) return staging.error();
     std::memset(staging->mapped() + bytes.size(), 0, staging->size() - bytes.size());
     if (!bytes.empty()) std::memcpy(staging->mapped(), bytes.data(), bytes.size());
@@ -143,7 +143,7 @@ Result<Buffer> uploaded(Device::Data& device, std::span<const uint8_t> bytes, st
 }
 
 Status download(Device::Data& device, const Buffer& from, std::span<uint8_t> to) {
-    auto staging = Buffer::make(device, to.size(), BufferPlace::shared, "results");
+    auto staging = Buffer::make(device, to.size(), BufferPlace::shared, "results", 0);
     if (!staging) return staging.error();
     const auto copied = submit(device, "copy results from the device", [&](VkCommandBuffer commands) {
         const VkBufferCopy all{0, 0, to.size()};

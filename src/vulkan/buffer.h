@@ -17,9 +17,10 @@ enum class BufferPlace : uint8_t { onDevice, shared };
 class Buffer {
   public:
     Buffer() = default;
-    // `what` names it in errors. At least 16 bytes are made. `usage` is added to storage and copies.
+    // `what` names it in errors. At least 16 bytes are made. `usage` besides copies; with storage and no
+    // address shaders bind it, and its size is checked.
     static Result<Buffer> make(Device::Data& device, uint64_t bytes, BufferPlace place, std::string_view what,
-                               VkBufferUsageFlags usage = 0);
+                               VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
     ~Buffer();
@@ -42,11 +43,11 @@ class Buffer {
 
 // A buffer on the device that holds `bytes`, and behind them `padding` bytes of zero.
 Result<Buffer> uploaded(Device::Data& device, std::span<const uint8_t> bytes, std::string_view what,
-                        VkBufferUsageFlags usage = 0, uint64_t padding = 8);
+                        VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, uint64_t padding = 8);
 
 template <class T>
 Result<Buffer> uploadedOf(Device::Data& device, const std::vector<T>& values, std::string_view what,
-                          VkBufferUsageFlags usage = 0) {
+                          VkBufferUsageFlags usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) {
     return uploaded(device, {reinterpret_cast<const uint8_t*>(values.data()), values.size() * sizeof(T)},
                     what, usage);
 }

@@ -38,6 +38,24 @@ struct WantedFeatures {
     }
 };
 
+void loadRayFunctions(Device::Data& data) {
+    const auto load = [&]<class Function>(Function& function, const char* name) {
+        function = reinterpret_cast<Function>(vkGetDeviceProcAddr(data.device.get(), name));
+    };
+    load(data.rays.create, "vkCreateAccelerationStructureKHR");
+    load(data.rays.destroy, "vkDestroyAccelerationStructureKHR");
+    load(data.rays.sizes, "vkGetAccelerationStructureBuildSizesKHR");
+    load(data.rays.build, "vkCmdBuildAccelerationStructuresKHR");
+    load(data.rays.address, "vkGetAccelerationStructureDeviceAddressKHR");
+    VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
+    structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &structures;
+    vkGetPhysicalDeviceProperties2(data.physical, &properties);
+    data.scratchAlignment = structures.minAccelerationStructureScratchOffsetAlignment;
+}
+
 Status openQueue(Device::Data& data, uint32_t family) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{};
@@ -57,6 +75,7 @@ Status openQueue(Device::Data& data, uint32_t family) {
     auto status = checked(vkCreateDevice(data.physical, &info, nullptr, &device), "open the device");
     if (!status) return status.error().within(data.facts.name);
     data.device.reset(device);
+    if (data.facts.rayQuery) loadRayFunctions(data);
     vkGetDeviceQueue(device, family, 0, &data.queue);
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;

@@ -1,9 +1,7 @@
 #include "filigree/vulkan/lookup.h"
 
-#include "filigree/encoding/bitmask.h"
-#include "filigree/encoding/map_reader.h"
-
 #include "vulkan/commands.h"
+#include "vulkan/decoders.h"
 #include "vulkan/kernel.h"
 
 #include <algorithm>
@@ -12,9 +10,6 @@
 
 namespace filigree::vulkan {
 namespace {
-
-using encoding::Encoding;
-using quadmap::SquareFormat;
 
 // As lookup.comp has it.
 struct Query {
@@ -29,37 +24,6 @@ struct QueryRange {
 };
 
 constexpr uint32_t groupSize = 64;
-
-Decoder decoderOf(Encoding encoding) {
-    constexpr std::array<Decoder, encoding::encodingCount> decoders{
-        Decoder::flat,        Decoder::gruen, Decoder::bitmask, Decoder::tree,
-        Decoder::indexedTree, Decoder::dag,   Decoder::sdag};
-    return decoders[static_cast<size_t>(encoding)];
-}
-
-Result<Decoder> decoderOf(SquareFormat format) {
-    switch (format) {
-        case SquareFormat::vq2:
-            return Decoder::vq2;
-        case SquareFormat::vq2Plus:
-            return Decoder::vq2Plus;
-        case SquareFormat::vq4:
-            return Decoder::vq4;
-        case SquareFormat::vq4Plus:
-            return Decoder::vq4Plus;
-        default:
-            return Error{ErrorKind::unsupported, "raw squares have no shader"};
-    }
-}
-
-Status checkSet(const encoding::EncodedView& set) {
-    if (set.encoding == Encoding::bitmask) {
-        const auto reader = encoding::BitmaskReader::open(set);
-        return reader ? Status() : Status(reader.error());
-    }
-    const auto reader = encoding::openReader(set);
-    return reader ? Status() : Status(reader.error());
-}
 
 // All that one run of the shader needs.
 struct Lookups {
@@ -118,11 +82,7 @@ Result<std::vector<micromap::State>> lookup(const Device& device, const encoding
                                             std::span<const float> v) {
     assert(u.size() == maps.size() && v.size() == maps.size());
     if (auto checked = checkSet(set); !checked) return checked.error();
-    Lookups lookups{decoderOf(set.encoding),
-                    set.format == micromap::Format::fourState ? 1u : 0u,
-                    set.descriptors,
-                    set.payload,
-                    {}};
+    Lookups lookups{decoderOf(set.encoding), widthShiftOf(set.format), set.descriptors, set.payload, {}};
     for (size_t k = 0; k < maps.size(); ++k) {
         assert(maps[k] < set.mapCount);
         lookups.queries.push_back({maps[k], u[k], v[k]});

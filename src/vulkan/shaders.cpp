@@ -11,20 +11,38 @@
 #include "shaders/lookup_vq2_plus.h"
 #include "shaders/lookup_vq4.h"
 #include "shaders/lookup_vq4_plus.h"
+#include "shaders/picture_bitmask.h"
+#include "shaders/picture_dag.h"
+#include "shaders/picture_flat.h"
+#include "shaders/picture_gruen.h"
+#include "shaders/picture_indexed_tree.h"
+#include "shaders/picture_none.h"
+#include "shaders/picture_sdag.h"
+#include "shaders/picture_tree.h"
+#include "shaders/picture_vq2.h"
+#include "shaders/picture_vq2_plus.h"
+#include "shaders/picture_vq4.h"
+#include "shaders/picture_vq4_plus.h"
 
 #include <array>
 
 namespace filigree::vulkan {
 namespace {
 
-constexpr std::array<std::span<const uint32_t>, decoderCount> lookups{
-    lookup_flat, lookup_gruen, lookup_bitmask,  lookup_tree, lookup_indexed_tree, lookup_dag,
-    lookup_sdag, lookup_vq2,   lookup_vq2_plus, lookup_vq4,  lookup_vq4_plus};
+using Codes = std::array<std::span<const uint32_t>, decoderCount>;
+
+constexpr Codes lookups{lookup_flat,         lookup_gruen, lookup_bitmask,  lookup_tree,
+                        lookup_indexed_tree, lookup_dag,   lookup_sdag,     lookup_vq2,
+                        lookup_vq2_plus,     lookup_vq4,   lookup_vq4_plus, std::span<const uint32_t>()};
+constexpr Codes pictures{picture_flat,         picture_gruen, picture_bitmask,  picture_tree,
+                         picture_indexed_tree, picture_dag,   picture_sdag,     picture_vq2,
+                         picture_vq2_plus,     picture_vq4,   picture_vq4_plus, picture_none};
 
 }  // namespace
 
 std::span<const uint32_t> codeOf(Shader shader) {
-    return lookups[static_cast<size_t>(shader.decoder)];
+    const Codes& codes = shader.kind == ShaderKind::lookup ? lookups : pictures;
+    return codes[static_cast<size_t>(shader.decoder)];
 }
 
 }  // namespace filigree::vulkan

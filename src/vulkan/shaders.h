@@ -19,10 +19,11 @@ enum class Decoder : uint8_t {
     vq2Plus,
     vq4,
     vq4Plus,
+    none,  // the texture alone; not for lookups
 };
-inline constexpr unsigned decoderCount = 11;
+inline constexpr unsigned decoderCount = 12;
 
-enum class ShaderKind : uint8_t { lookup };
+enum class ShaderKind : uint8_t { lookup, picture };
 
 struct Shader {
     ShaderKind kind = ShaderKind::lookup;

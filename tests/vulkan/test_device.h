@@ -3,6 +3,7 @@
 
 #include "filigree/vulkan/device.h"
 
+#include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -36,19 +37,18 @@ class VulkanTest : public testing::Test {
         if (!found) GTEST_SKIP() << found.error().message;
         if (found->empty())
             GTEST_SKIP() << "no Vulkan device was found (tools/setup --vulkan adds one on the CPU)";
-        open();
+        auto device = vulkan::Device::open(options());
+        ASSERT_TRUE(device.ok()) << device.error().message;
+        device_.emplace(std::move(*device));
     }
     void TearDown() override {
         device_.reset();
         for (const std::string& message : messages_.all()) ADD_FAILURE() << message;
     }
-    // Anew, as the first time.
-    void open() {
+    vulkan::DeviceOptions options() {
         const char* wanted = std::getenv("FILIGREE_VULKAN_DEVICE");
-        auto device = vulkan::Device::open(
-            {wanted != nullptr ? wanted : "", [this](std::string_view message) { messages_.add(message); }});
-        ASSERT_TRUE(device.ok()) << device.error().message;
-        device_.emplace(std::move(*device));
+        return {wanted != nullptr ? wanted : "",
+                [this](std::string_view message) { messages_.add(message); }};
     }
 
     Messages messages_;

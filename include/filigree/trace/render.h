@@ -66,6 +66,10 @@ Status checkSize(uint32_t width, uint32_t height);
 // ErrorKind::usage when settings are out of range.
 Status check(const RenderSettings& settings);
 
+// World units: how far rays start off the surfaces of a world, and how far AO rays reach.
+float rayEpsilon(const World& world);
+float aoDistanceOf(const RenderSettings& settings, const World& world);
+
 // Adds one more sample of every pixel to `film`; progress advances by pixels. The film depends on the world,
 // the opacity's answers, the settings and how many samples it has had, not on the executor. False when
 // cancelled; the film is no use then.

@@ -1,0 +1,97 @@
+// Pictures by ray queries in compute shaders, with the alpha test of any of the decoders in shaders/decode.
+#pragma once
+
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/core/vec3.h"
+#include "filigree/encoding/encoded_set.h"
+#include "filigree/quadmap/place.h"
+#include "filigree/quadmap/reader.h"
+#include "filigree/scene/scene.h"
+#include "filigree/vulkan/ray_scene.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace filigree::vulkan {
+
+// What a method knows of a surface; as trace::SurfaceMaps and trace::SurfaceSquares.
+struct SurfaceMaps {
+    std::span<const int32_t> indices;  // [triangle_count], a map or special (-1..-4); empty: nothing
+    std::span<const quadmap::SquarePlace> places;  // [triangle_count], of squares
+    std::optional<uint32_t> texture;               // of a bitmask set
+};
+
+// How candidate hits are decided.
+struct Method {
+    bool takesAll = false;  // every candidate is a hit, and none is counted
+    // At most one of the two; none: the texture decides. Their bytes must outlive the OpacityMaps made of
+    // them.
+    std::optional<encoding::EncodedView> set;
+    std::optional<quadmap::SquareReader> squares;
+    unsigned states = 4;                // 4: unknown states fetch the texture; 2: their side decides
+    std::vector<SurfaceMaps> surfaces;  // by surface of the scene; may be fewer
+};
+
+// The numbers are those of trace::Integrator.
+enum class Integrator : uint8_t { primary, shadow, ao, path };
+
+struct PictureSettings {
+    uint32_t width = 960;  // pixels, at least 1
+    uint32_t height = 540;
+    unsigned samples = 1;  // of each pixel
+    Integrator integrator = Integrator::ao;
+    scene::Camera camera;
+    uint32_t seed = 1;
+    unsigned bounces = 3;          // of a path
+    float epsilon = 1e-4F;         // world units, how far rays start off a surface
+    float aoDistance = 1;          // length of AO rays, world units
+    bool twoStateShadows = false;  // shadow and AO rays take the side of unknown states
+    bool count = true;             // fill the counts, which takes time
+};
+
+// Of the rays of one kind.
+struct PictureCounts {
+    uint64_t rays = 0;
+    uint64_t candidates = 0;
+    uint64_t lookups = 0;
+    uint64_t fetches = 0;
+};
+
+struct Picture {
+    std::vector<Vec3> sums;               // [width * height], linear light, of all samples
+    std::vector<uint32_t> fetches;        // [width * height], of textures, of all samples
+    std::array<PictureCounts, 4> counts;  // primary, shadow, AO and bounce rays
+    uint64_t pixelsHit = 0;               // samples whose first ray met the scene
+};
+
+// A method on a device, its shader compiled: renders any number of pictures of one scene.
+class Painter {
+  public:
+    // `device` and `scene` must outlive the result. Sets are checked first: ErrorKind::format.
+    // ErrorKind::unsupported for squares with two states, which hit by chance on the CPU, ErrorKind::limit
+    // where something does not fit.
+    static Result<Painter> make(const Device& device, const RayScene& scene, const Method& method);
+
+    Painter(Painter&&) noexcept;
+    Painter& operator=(Painter&&) noexcept;
+    ~Painter();
+
+    // With the random numbers of the CPU backend: the pictures differ where rays graze edges and arithmetic
+    // rounds. ErrorKind::limit where it does not fit the device, ErrorKind::cancelled. Progress advances by
+    // pixels.
+    Result<Picture> render(const PictureSettings& settings, ProgressSink& progress);
+
+    // For this room only.
+    struct Data;
+
+  private:
+    explicit Painter(std::unique_ptr<Data> data);
+    std::unique_ptr<Data> data_;
+};
+
+}  // namespace filigree::vulkan

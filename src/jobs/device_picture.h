@@ -1,0 +1,43 @@
+// Pictures by a Vulkan device of what the room `trace` renders on the CPU.
+#pragma once
+
+#include "filigree/core/progress.h"
+#include "filigree/core/result.h"
+#include "filigree/scene/scene.h"
+#include "filigree/trace/render.h"
+#include "filigree/vulkan/picture.h"
+
+#include "jobs/opacity_input.h"
+
+#include <memory>
+
+namespace filigree::jobs {
+
+// A scene on a device.
+class DeviceScene {
+  public:
+    // `world` of `scene`, without grids; both must outlive the result.
+    static Result<DeviceScene> open(const vulkan::DeviceOptions& options, const scene::Scene& scene,
+                                    const trace::World& world);
+
+    // Makes a method ready. `input` and `maps` as makeOpacity or makeSquareOpacity made and took them.
+    // ErrorKind::unsupported for what a device cannot do: squares with two states.
+    [[nodiscard]] Result<vulkan::Painter> prepare(const OpacityInput& input, const SceneMaps& maps) const;
+
+    // `samples` samples of every pixel. ErrorKind::unsupported for deferred tests.
+    [[nodiscard]] Result<trace::Film> render(vulkan::Painter& painter, const trace::RenderSettings& settings,
+                                             unsigned samples, ProgressSink& progress) const;
+
+    [[nodiscard]] const vulkan::Device& device() const { return *device_; }
+    [[nodiscard]] const vulkan::RayScene& scene() const { return scene_; }
+
+  private:
+    DeviceScene(std::unique_ptr<vulkan::Device> device, vulkan::RayScene scene, const trace::World& world)
+        : device_(std::move(device)), scene_(std::move(scene)), world_(world) {}
+
+    std::unique_ptr<vulkan::Device> device_;  // goes last
+    vulkan::RayScene scene_;
+    const trace::World& world_;
+};
+
+}  // namespace filigree::jobs

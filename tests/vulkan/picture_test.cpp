@@ -1,0 +1,204 @@
+// Pictures by a device: the same with every method of four states, and those of the CPU but for edges.
+#include "jobs/device_picture.h"
+#include "trace/thicket.h"
+#include "vulkan/test_device.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace filigree {
+namespace {
+
+using trace::Integrator;
+using trace::Method;
+
+class VulkanPictures : public tests::VulkanTest {
+  protected:
+    static constexpr unsigned samples = 2;
+
+    VulkanPictures() : scene_(tests::thicket()) {}
+
+    void SetUp() override {
+        VulkanTest::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        if (!device_->facts().rayQuery) GTEST_SKIP() << "no Vulkan device was found that has ray queries";
+        device_.reset();
+        // Random numbers decide hits with BLEND, from the bits of weights that differ between CPU and device.
+        for (auto& material : scene_.materials) {
+            if (material.alphaMode == scene::AlphaMode::blend) material.alphaMode = scene::AlphaMode::mask;
+        }
+        world_.emplace(std::move(*trace::World::build(scene_, {})));
+        auto opened = jobs::DeviceScene::open(options(), scene_, *world_);
+        ASSERT_TRUE(opened.ok()) << opened.error().message;
+        onDevice_.emplace(std::move(*opened));
+    }
+    void TearDown() override {
+        onDevice_.reset();
+        VulkanTest::TearDown();
+    }
+
+    [[nodiscard]] trace::RenderSettings settings(Integrator integrator) const {
+        trace::RenderSettings s = tests::settingsFor(integrator, 96, 64);
+        s.camera = trace::lookAt({0.4F, 0.5F, 3.4F}, {0.1F, -0.1F, 0}, {0, 1, 0}, 0.9F);
+        return s;
+    }
+
+    jobs::OpacityInput inputFor(Method method, unsigned states) {
+        jobs::BakeParameters parameters;
+        parameters.includeBlend = true;
+        if (jobs::readsMaps(method)) bake(method, states);
+        auto input = jobs::readsSquares(method)
+                         ? jobs::makeSquareOpacity(method, states, scene_, parameters, *world_,
+                                                   serialExecutor(), silentProgress())
+                         : jobs::makeOpacity(method, states, scene_, maps_, *world_, serialExecutor());
+        EXPECT_TRUE(input.ok()) << input.error().message;
+        return std::move(*input);
+    }
+
+    // Once for all methods that read the same maps.
+    void bake(Method method, unsigned states) {
+        const std::pair wanted(method == Method::bitmask, states);
+        if (baked_ == wanted) return;
+        maps_ = tests::mapsFor(scene_, method, states, 5);
+        baked_ = wanted;
+    }
+
+    vulkan::Painter painterFor(const jobs::OpacityInput& input) {
+        auto painter = onDevice_->prepare(input, maps_);
+        EXPECT_TRUE(painter.ok()) << painter.error().message;
+        return std::move(*painter);
+    }
+
+    trace::Film film(vulkan::Painter& painter, const trace::RenderSettings& s) {
+        auto made = onDevice_->render(painter, s, samples, silentProgress());
+        EXPECT_TRUE(made.ok()) << made.error().message;
+        return std::move(*made);
+    }
+
+    scene::Scene scene_;
+    std::optional<trace::World> world_;
+    jobs::SceneMaps maps_;
+    std::optional<std::pair<bool, unsigned>> baked_;  // what `maps_` are: of a bitmask, and states
+    std::optional<jobs::DeviceScene> onDevice_;
+};
+
+// How many pixels of two pictures differ by more than rounding.
+size_t differing(const trace::Film& a, const trace::Film& b) {
+    const scene::ColourImage one = developed(a);
+    const scene::ColourImage other = developed(b);
+    size_t count = 0;
+    for (size_t k = 0; k < one.rgba.size(); k += 4) {
+        int most = 0;
+        for (size_t channel = 0; channel < 3; ++channel)
+            most = std::max(most, std::abs(one.rgba[k + channel] - other.rgba[k + channel]));
+        count += most > 1 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(VulkanPictures, AreTheSameToTheBitWithEveryMethodOfFourStates) {
+    auto texture = painterFor(inputFor(Method::texture, 4));
+    std::vector<trace::Film> expected;
+    for (const Integrator integrator : tests::integrators)
+        expected.push_back(film(texture, settings(integrator)));
+    for (const Method method : tests::methodsWithStates) {
+        auto painter = painterFor(inputFor(method, 4));
+        for (size_t k = 0; k < tests::integrators.size(); ++k) {
+            SCOPED_TRACE(fmt::format("{} {}", nameOf(method), nameOf(tests::integrators[k])));
+            const trace::Film found = film(painter, settings(tests::integrators[k]));
+            EXPECT_EQ(found.sums, expected[k].sums);
+            EXPECT_EQ(found.pixelsHit, expected[k].pixelsHit);
+            const trace::RayCounts counts = found.counters.total();
+            EXPECT_GT(counts.lookups, 0u);
+            EXPECT_LT(counts.textureFetches, expected[k].counters.total().textureFetches);
+        }
+    }
+}
+
+TEST_F(VulkanPictures, AreThoseOfTheCpu) {
+    for (const Method method : {Method::none, Method::texture, Method::sdag, Method::bitmask}) {
+        const auto input = inputFor(method, 4);
+        auto painter = painterFor(input);
+        for (const Integrator integrator : tests::integrators) {
+            SCOPED_TRACE(fmt::format("{} {}", nameOf(method), nameOf(integrator)));
+            const trace::RenderSettings s = settings(integrator);
+            const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
+            const trace::Film device = film(painter, s);
+            // Rays that graze the edge of a triangle, or of a texel's hole, may pass on either side.
+            EXPECT_LE(differing(device, cpu), cpu.sums.size() / 1000);
+            for (size_t k = 0; k < trace::rayKindCount; ++k) {
+                const auto kind = static_cast<trace::RayKind>(k);
+                // Candidates depend on the order in which the device meets them.
+                EXPECT_NEAR(static_cast<double>(device.counters[kind].rays),
+                            static_cast<double>(cpu.counters[kind].rays), 4);
+                EXPECT_LE(device.counters[kind].lookups, device.counters[kind].candidateHits);
+            }
+        }
+    }
+}
+
+TEST_F(VulkanPictures, OfTwoStatesFetchNothing) {
+    for (const Method method : {Method::micromap, Method::sdag}) {
+        SCOPED_TRACE(nameOf(method));
+        const auto input = inputFor(method, 2);
+        auto painter = painterFor(input);
+        const trace::RenderSettings s = settings(Integrator::shadow);
+        const trace::Film device = film(painter, s);
+        EXPECT_EQ(device.counters.total().textureFetches, 0u);
+        const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
+        EXPECT_LE(differing(device, cpu), cpu.sums.size() / 1000);
+    }
+}
+
+TEST_F(VulkanPictures, ReadFourStatesAsTwoForShadows) {
+    auto painter = painterFor(inputFor(Method::dag, 4));
+    trace::RenderSettings s = settings(Integrator::shadow);
+    s.twoStateShadows = true;
+    const trace::Film found = film(painter, s);
+    EXPECT_EQ(found.counters[trace::RayKind::shadow].textureFetches, 0u);
+    EXPECT_GT(found.counters[trace::RayKind::primary].textureFetches, 0u);
+}
+
+TEST_F(VulkanPictures, SayWhatADeviceCannotDo) {
+    auto painter = painterFor(inputFor(Method::texture, 4));
+    trace::RenderSettings s = settings(Integrator::ao);
+    s.defer = true;
+    const auto deferred = onDevice_->render(painter, s, 1, silentProgress());
+    ASSERT_FALSE(deferred.ok());
+    EXPECT_EQ(deferred.error().kind, ErrorKind::unsupported);
+    const auto byChance = onDevice_->prepare(inputFor(Method::vq2, 2), maps_);
+    ASSERT_FALSE(byChance.ok());
+    EXPECT_EQ(byChance.error().kind, ErrorKind::unsupported);
+}
+
+TEST_F(VulkanPictures, LeaveNothingBehind) {
+    const auto input = inputFor(Method::micromap, 4);
+    const uint64_t before = onDevice_->device().allocatedBytes();
+    for (unsigned k = 0; k < 100;) {
+        auto painter = painterFor(input);
+        for (const uint64_t ready = onDevice_->device().allocatedBytes(); ++k % 25 != 0;) {
+            (void)film(painter, tests::settingsFor(Integrator::primary, 8, 8));
+            ASSERT_EQ(onDevice_->device().allocatedBytes(), ready);
+        }
+    }
+    EXPECT_EQ(onDevice_->device().allocatedBytes(), before);
+}
+
+TEST_F(VulkanPictures, ShowTheSkyWhereThereIsNothing) {
+    const scene::Scene nothing;
+    const auto world = trace::World::build(nothing, {});
+    const auto empty = jobs::DeviceScene::open(options(), nothing, *world);
+    ASSERT_TRUE(empty.ok()) << empty.error().message;
+    jobs::OpacityInput input;
+    input.opacity.emplace(std::move(*trace::Opacity::make(Method::texture, 4, *world, {}, {})));
+    auto painter = empty->prepare(input, {});
+    ASSERT_TRUE(painter.ok()) << painter.error().message;
+    const auto film = empty->render(*painter, settings(Integrator::path), 1, silentProgress());
+    ASSERT_TRUE(film.ok()) << film.error().message;
+    EXPECT_EQ(film->pixelsHit, 0u);
+    EXPECT_GT(film->sums.front()[2], 1.4F);
+}
+
+}  // namespace
+}  // namespace filigree
