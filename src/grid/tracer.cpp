@@ -14,8 +14,6 @@
 
 namespace filigree::grid {
 
-namespace {
-
 // Rays that are traced by turns: while one waits for memory or for what it computed last, others go on.
 class RayTurns {
   public:
@@ -37,8 +35,6 @@ class RayTurns {
     std::array<TracedRay, count> traced_;
     std::array<size_t, count> rays_{};
 };
-
-}  // namespace
 
 struct Tracer::Data {
     explicit Data(const EncodedGrids& encoded)
