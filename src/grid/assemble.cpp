@@ -15,7 +15,7 @@ struct UprightQuad {
 
 // A quad added at `side` stands in its own frame turned by so many quarters: its a is the grid's corner of
 // that number (a b c d).
-constexpr size_t quartersOf(Side side) {
+constexpr size_t turnsAt(Side side) {
     constexpr std::array<size_t, sideCount> quarters{2, 3, 0, 1};
     return quarters[static_cast<size_t>(side)];
 }
@@ -26,7 +26,7 @@ UprightQuad uprightQuad(const Topology& topology, const PlacedQuad& quad, Side s
     assert(stands);
     const std::array<uint32_t, 4> own{topology.from(quad.edge), topology.from(nextEdge(quad.edge)), parts.c,
                                       parts.d};
-    const size_t quarters = quartersOf(side);
+    const size_t quarters = turnsAt(side);
     UprightQuad result;
     for (size_t k = 0; k < 4; ++k) result.corners[(k + quarters) % 4] = own[k];
     result.diagonal = (quarters % 2 == 1) != quad.bd ? Diagonal::bd : Diagonal::ac;
@@ -36,7 +36,7 @@ UprightQuad uprightQuad(const Topology& topology, const PlacedQuad& quad, Side s
         result.sources = {std::min(first, parts.second), std::max(first, parts.second)};
         return result;
     }
-    // The first half is the one with the lower corner next to a: of ac that with b, of bd that with a.
+    // The first half holds b where the diagonal is ac, a where it is bd.
     const size_t apart = result.diagonal == Diagonal::ac ? 1 : 0;
     const auto& vertices = topology.triangles[first];
     const bool firstHolds = std::ranges::find(vertices, result.corners[apart]) != vertices.end();
