@@ -82,10 +82,10 @@ std::vector<MeshPlace> candidates(const GridMesh& mesh) {
 void forEachShared(const GridMesh& mesh, const std::function<void(std::span<const MeshPlace>)>& visit) {
     std::vector<MeshPlace> places = candidates(mesh);
     // Grids' vertices sort before loose corners; one of those is enough.
-    const auto surplus = std::ranges::unique(places, [](const MeshPlace& a, const MeshPlace& b) {
+    const auto isSurplus = [](const MeshPlace& a, const MeshPlace& b) {
         return a.position == b.position && a.isLoose && b.isLoose;
-    });
-    places.erase(surplus.begin(), surplus.end());
+    };
+    places.erase(std::unique(places.begin(), places.end(), isSurplus), places.end());
     for (size_t begin = 0; begin < places.size();) {
         size_t end = begin + 1;
         while (end < places.size() && places[end].position == places[begin].position) ++end;
