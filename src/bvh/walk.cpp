@@ -175,6 +175,7 @@ HWY_INLINE void pushChildren(const Node& node, Walk& walk, const PlaneTimes& tim
     walk.size += static_cast<uint32_t>(hn::CountTrue(d, met));
 }
 
+template <bool sorts>
 HWY_INLINE void visitNode(const Node& node, Walk& walk) {
     const PlaneTimes times(node, walk);
     const unsigned leafMask = leafMaskOf(node);
@@ -182,6 +183,7 @@ HWY_INLINE void visitNode(const Node& node, Walk& walk) {
     for (size_t first = 0; first < width; first += hn::Lanes(Planes())) {
         pushChildren(node, walk, times, first, leafMask);
     }
+    if constexpr (!sorts) return;
     const uint32_t count = walk.size - before;
     if (count == 2) {
         sortTwo(walk);
@@ -191,6 +193,7 @@ HWY_INLINE void visitNode(const Node& node, Walk& walk) {
 }
 
 // One node on; true where that was the last before a leaf or the end.
+template <bool sorts>
 HWY_INLINE bool stepOn(const Node* nodes, Walk& walk) {
     for (;;) {
         if (walk.size == 0) {
@@ -204,20 +207,22 @@ HWY_INLINE bool stepOn(const Node* nodes, Walk& walk) {
             walk.leaf = place & ~Walk::leafBit;
             return true;
         }
-        visitNode(nodes[place], walk);
+        visitNode<sorts>(nodes[place], walk);
         return false;
     }
 }
 
+template <bool sorts>
 void nextLeaf(const Node* nodes, Walk& walk) {
-    while (!stepOn(nodes, walk)) {
+    while (!stepOn<sorts>(nodes, walk)) {
     }
 }
 
+template <bool sorts>
 size_t nextLeaves(const Node* nodes, Walk** walks, size_t count, size_t enough) {
     while (count > enough) {
         for (size_t k = 0; k < count;) {
-            if (stepOn(nodes, *walks[k])) {
+            if (stepOn<sorts>(nodes, *walks[k])) {
                 std::swap(walks[k], walks[--count]);
             } else {
                 ++k;
@@ -227,8 +232,9 @@ size_t nextLeaves(const Node* nodes, Walk** walks, size_t count, size_t enough) 
     return count;
 }
 
-WalkFunctions walkFunctionsHere() {
-    return {&nextLeaf, &nextLeaves};
+WalkFunctions walkFunctionsHere(WalkOrder order) {
+    if (order == WalkOrder::any) return {&nextLeaf<false>, &nextLeaves<false>};
+    return {&nextLeaf<true>, &nextLeaves<true>};
 }
 
 }  // namespace filigree::bvh::HWY_NAMESPACE
@@ -274,8 +280,8 @@ void Walk::start(const Segment& segment, const Vec3& largest) {
     size = 1;
 }
 
-WalkFunctions walkFunctions() {
-    return HWY_DYNAMIC_DISPATCH(walkFunctionsHere)();
+WalkFunctions walkFunctions(WalkOrder order) {
+    return HWY_DYNAMIC_DISPATCH(walkFunctionsHere)(order);
 }
 
 }  // namespace filigree::bvh

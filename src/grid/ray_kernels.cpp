@@ -60,7 +60,7 @@ bool testTile(const LeafSource& source, uint32_t leaf, TracedRay& ray, bool any)
     bool isHit = false;
     while (left != 0) {
         auto place = static_cast<unsigned>(std::countr_zero(left));
-        for (uint32_t others = left & (left - 1); others != 0; others &= others - 1) {
+        for (uint32_t others = any ? 0 : left & (left - 1); others != 0; others &= others - 1) {
             const auto other = static_cast<unsigned>(std::countr_zero(others));
             if (near[other] < near[place]) place = other;
         }

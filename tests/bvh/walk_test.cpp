@@ -31,12 +31,13 @@ bool meets(const Box& box, const Segment& segment) {
     return entry <= exit;
 }
 
-std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment) {
+std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment,
+                                WalkOrder order = WalkOrder::nearest) {
     Walk walk;
     walk.start(segment, largestCoordinates(bvh.nodes[0]));
     std::vector<uint32_t> leaves;
     for (;;) {
-        walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+        walkFunctions(order).nextLeaf(bvh.nodes.data(), walk);
         if (walk.leaf == noLeaf) return leaves;
         leaves.push_back(bvh.order[walk.leaf]);
     }
@@ -47,6 +48,9 @@ void expectFinds(const std::vector<Box>& boxes, const Bvh& bvh, const Segment& s
     std::vector<uint32_t> found = leavesMet(bvh, segment);
     std::sort(found.begin(), found.end());
     ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
+    std::vector<uint32_t> inAnyOrder = leavesMet(bvh, segment, WalkOrder::any);
+    std::sort(inAnyOrder.begin(), inAnyOrder.end());
+    ASSERT_EQ(inAnyOrder, found);
     size_t met = 0;
     for (uint32_t k = 0; k < boxes.size(); ++k) {
         if (!meets(boxes[k], segment)) continue;
@@ -116,10 +120,10 @@ TEST(BvhWalk, StopsWhereTheSegmentIsCutShort) {
     const Bvh bvh = build(boxes, serialExecutor());
     Walk walk;
     walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity}, largestCoordinates(bvh.nodes[0]));
-    walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+    walkFunctions(WalkOrder::nearest).nextLeaf(bvh.nodes.data(), walk);
     ASSERT_NE(walk.leaf, noLeaf);
     walk.tMax = -1;
-    walkFunctions().nextLeaf(bvh.nodes.data(), walk);
+    walkFunctions(WalkOrder::nearest).nextLeaf(bvh.nodes.data(), walk);
     EXPECT_EQ(walk.leaf, noLeaf);
 }
 
@@ -137,7 +141,8 @@ TEST(BvhWalk, TakesTheSameWayByTurns) {
     size_t walking = order.size();
     while (walking > 0) {
         const size_t before = walking;
-        walking = walkFunctions().nextLeaves(bvh.nodes.data(), order.data(), walking, walking / 2);
+        walking = walkFunctions(WalkOrder::nearest)
+                      .nextLeaves(bvh.nodes.data(), order.data(), walking, walking / 2);
         for (size_t k = walking; k < before; ++k) {
             if (order[k]->leaf == noLeaf) continue;
             ways[static_cast<size_t>(order[k] - walks.data())].push_back(bvh.order[order[k]->leaf]);

@@ -57,13 +57,17 @@ inline constexpr uint32_t noLeaf = 0xffffffff;
 
 // For the instruction set in use (core/target.h); all take the same way. `nodes` must have passed check().
 struct WalkFunctions {
-    // Goes on to the next leaf whose box the segment may meet, nearest first.
+    // Goes on to the next leaf whose box the segment may meet.
     void (*nextLeaf)(const Node* nodes, Walk& walk) = nullptr;
 
     // Takes `count` walks on by turns, so that one computes while others wait, until no more than `enough`
     // still walk. They come first then; returns how many. Those that have found a leaf or their end follow.
     size_t (*nextLeaves)(const Node* nodes, Walk** walks, size_t count, size_t enough) = nullptr;
 };
-WalkFunctions walkFunctions();
+enum class WalkOrder : uint8_t {
+    nearest,  // first, by boxes
+    any,      // cheaper; for rays that end at their first hit
+};
+WalkFunctions walkFunctions(WalkOrder order);
 
 }  // namespace filigree::bvh
