@@ -17,7 +17,7 @@ Vec3 roundedToFloat(const ExactPoint& p) {
 }
 
 // cos and sin of a share of a full turn, by their series: those of the standard library vary.
-std::array<double, 2> turn(double share) {
+std::array<double, 2> cosineAndSine(double share) {
     const double quarters = std::floor(4 * share + 0.5);
     const double x = (share - quarters / 4) * 6.283185307179586477;  // within +-pi / 4
     double cosine = 1;
@@ -65,8 +65,8 @@ double heightAt(double x, double z) {
 }
 
 ExactPoint torusPoint(double around, double tube) {
-    const auto [ca, sa] = turn(around);
-    const auto [ct, st] = turn(tube);
+    const auto [ca, sa] = cosineAndSine(around);
+    const auto [ct, st] = cosineAndSine(tube);
     const ExactPoint normal{ct * ca, st, -ct * sa};
     const ExactPoint p{ca + 0.4 * normal[0], 0.4 * normal[1], -sa + 0.4 * normal[2]};
     const double bumps = 0.05 * fractalNoise<3>(p, 2.5, 3, 0.5, 5);

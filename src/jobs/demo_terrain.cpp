@@ -39,12 +39,12 @@ Status writeHeights(const std::filesystem::path& file, const Executor& executor)
     return writeFile(file, *png);
 }
 
-std::string commandOf(const GridsOptions& o) {
+std::string terrainCommand(const GridsOptions& o) {
     return shellCommand(std::vector<std::string>{"filigree", "grids", o.input.string(), "-o",
                                                  o.output.string(), "--height-scale",
                                                  fmt::format("{}", *o.heightScale)});
 }
-std::string commandOf(const RenderOptions& o) {
+std::string terrainCommand(const RenderOptions& o) {
     return shellCommand(std::vector<std::string>{"filigree", "render", o.input.string(), "-o",
                                                  o.output.string(), "--integrator", o.integrator, "--spp",
                                                  std::to_string(o.spp)});
@@ -92,11 +92,11 @@ Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const E
     terrain.files = {viewFile};
 
     auto figure = figureOf(view.output, "The terrain, path-traced",
-                           "Diffuse paths, traced from the compressed tiles.", commandOf(view));
+                           "Diffuse paths, traced from the compressed tiles.", terrainCommand(view));
     if (!figure) return figure.error();
     terrain.section = {"A displaced terrain in tiles", {}};
     terrain.section.blocks.emplace_back(std::move(*figure));
-    terrain.section.blocks.emplace_back(terrainTable(terrain, commandOf(conversion)));
+    terrain.section.blocks.emplace_back(terrainTable(terrain, terrainCommand(conversion)));
     return terrain;
 }
 

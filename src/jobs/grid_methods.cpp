@@ -17,9 +17,9 @@ namespace filigree::jobs {
 namespace {
 
 constexpr std::string_view robustMethod = "triangles-robust";
-constexpr std::array<std::string_view, 8> methodNames{"triangles", "triangles-compact", "triangles-qbvh8",
-                                                      "grids",     "grids-compact",     "paper",
-                                                      "lattice",   robustMethod};
+constexpr std::array<std::string_view, 8> gridMethodList{"triangles", "triangles-compact", "triangles-qbvh8",
+                                                         "grids",     "grids-compact",     "paper",
+                                                         "lattice",   robustMethod};
 
 // Rays asked for at once, few enough that what is found stays in the cache, as in a tile of a picture.
 constexpr size_t raysAtOnce = 1024;
@@ -122,10 +122,10 @@ Result<std::unique_ptr<GridMethod>> makeEncodedMethod(grid::Codec codec, GridSce
 }  // namespace
 
 std::span<const std::string_view> gridMethodNames() {
-    return methodNames;
+    return gridMethodList;
 }
 bool isGridMethod(std::string_view name) {
-    return std::ranges::find(methodNames, name) != methodNames.end();
+    return std::ranges::find(gridMethodList, name) != gridMethodList.end();
 }
 
 Result<std::unique_ptr<GridMethod>> makeGridMethod(std::string_view name, GridScene& scene,

@@ -55,7 +55,7 @@ const std::array<float, 256>& linearOfSrgb() {
 }
 
 // Of length 1 and towards where a ray comes from.
-Vec3 towards(const Vec3& normal, const Vec3& direction) {
+Vec3 facingNormal(const Vec3& normal, const Vec3& direction) {
     if (!(dot(normal, normal) > 0)) return times(direction, -1);
     const Vec3 unit = normalised(normal);
     return dot(unit, direction) > 0 ? times(unit, -1) : unit;
@@ -151,15 +151,15 @@ class Walker {
         }
         const Vec3 e1 = minus(corners[1], corners[0]);
         const Vec3 e2 = minus(corners[2], corners[0]);
-        return {plus(corners[0], plus(times(e1, hit.u), times(e2, hit.v))), towards(cross(e1, e2), direction),
-                albedoOf(surface, hit.primID, hit.u, hit.v)};
+        return {plus(corners[0], plus(times(e1, hit.u), times(e2, hit.v))),
+                facingNormal(cross(e1, e2), direction), albedoOf(surface, hit.primID, hit.u, hit.v)};
     }
 
     [[nodiscard]] Place placeOnGrid(const NearestHit& hit, const Vec3& origin, const Vec3& direction) const {
         const GridPart& part = world_.grids;
         Place place;
         place.point = plus(origin, times(direction, hit.distance));
-        place.normal = towards(hit.grid.normal, direction);
+        place.normal = facingNormal(hit.grid.normal, direction);
         place.albedo = part.albedo ? part.albedo(hit.grid) : gridAlbedo;
         if (part.attributes == nullptr || part.attributes->empty()) return place;
         if (const auto smooth = surfaceAt(*part.attributes, part.table, hit.grid).normal)
