@@ -1,6 +1,7 @@
 #include "jobs/grid_leaks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +11,7 @@ namespace {
 constexpr uint64_t raysAtATime = 16384;
 // How far beyond its target, of the way to it, a ray may meet the surface: rounding of the distance.
 constexpr float slack = 1e-4F;
+constexpr size_t raysToLookAround = 64;
 
 // Points to aim at, in the order of the grids.
 class Targets {
@@ -76,6 +78,23 @@ Vec3 nearOrigin(Random& random, float reach) {
     return {x, y, next()};
 }
 
+// Whether a place is outside a closed surface: from inside every ray meets something.
+bool isOutside(GridMethod& method, const Vec3& place, Random& random) {
+    std::array<grid::Ray, raysToLookAround> rays;
+    for (grid::Ray& ray : rays) ray = {place, nearOrigin(random, 1)};
+    std::array<float, raysToLookAround> distances{};
+    method.closest(rays, true, distances);
+    return std::ranges::any_of(distances, [](float t) { return !std::isfinite(t); });
+}
+
+// A ray may pass the very edge of a bulge that it was aimed at, and meet the surface behind; then the way
+// between lies inside.
+bool hasLeaked(GridMethod& method, const grid::Ray& ray, float t, Random& random) {
+    if (t <= 1 + slack) return false;
+    return !std::isfinite(t) ||
+           isOutside(method, plus(ray.origin, times(ray.direction, (1 + t) / 2)), random);
+}
+
 }  // namespace
 
 // Near the circle of radius 1 that the tube runs about, beside the target.
@@ -103,8 +122,8 @@ GridLeaks countLeaks(GridMethod& method, const grid::GridMesh& mesh, const Point
         }
         method.closest(rays, true, distances);
         leaks.rays += rays.size();
-        leaks.misses += static_cast<uint64_t>(
-            std::ranges::count_if(distances, [](float t) { return !(t <= 1 + slack); }));
+        for (size_t k = 0; k < rays.size(); ++k)
+            leaks.misses += hasLeaked(method, rays[k], distances[k], random) ? 1 : 0;
     }
     return leaks;
 }

@@ -23,7 +23,8 @@ Vec3 behindTorus(const Vec3& target, Random& random);
 Vec3 behindBox(const Vec3& target, Random& random);
 
 // Aims `count` rays at the vertices of `mesh`, which is closed, and at points of its edges, diagonals
-// included, by turns. A ray that meets nothing up to its target has gone through the surface.
+// included, by turns. A ray has gone through the surface where it meets nothing, or meets something behind
+// its target while the way there lies outside.
 GridLeaks countLeaks(GridMethod& method, const grid::GridMesh& mesh, const PointBehind& pointBehind,
                      uint64_t count);
 
