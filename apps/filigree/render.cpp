@@ -53,6 +53,15 @@ void addPicture(CLI::App& verb, jobs::RenderOptions& options) {
                   "Shadow and AO rays take the side of unknown states");
 }
 
+void addBackend(CLI::App& verb, jobs::RenderOptions& options) {
+    verb.add_option("--backend", options.backend,
+                    "cpu (the default), or vulkan: ray queries of a Vulkan device")
+        ->type_name("NAME");
+    verb.add_option("--device", options.device,
+                    "The Vulkan device, by number or part of its name; by default the best")
+        ->type_name("NAME|N");
+}
+
 void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--heatmap", options.heatmap, "Draw what each pixel cost to this PNG")->type_name("FILE");
     const auto setHeat = [&options](const std::string& text) {
@@ -116,6 +125,7 @@ void printRendered(const jobs::RenderSummary& s) {
         {"picture", fmt::format("{}, {} x {}, {} samples a pixel", s.integrator, s.width, s.height, s.spp)},
         {"rays", fmt::format("{:.2f} million a second, {} in {:.2f} s", s.mraysPerSecond(),
                              report::formatCount(s.counters.total().rays), s.seconds)}};
+    if (!s.device.empty()) lines.emplace_back("device", fmt::format("{}, {}", s.device, s.driver));
     if (s.triptych) lines.emplace_back("saved", comparison(s));
     if (s.grids) lines.emplace_back("grids", gridsText(*s.grids));
     lines.emplace_back(
@@ -145,6 +155,7 @@ void addRender(CLI::App& app, Commands& commands) {
     verb.add_option("-o,--output", options->output, "The picture (.png)")->required()->type_name("OUT");
     addMethod(verb, *options);
     addPicture(verb, *options);
+    addBackend(verb, *options);
     addCosts(verb, *options);
     command.onRun([command, options] {
         auto progress = command.progress();

@@ -8,6 +8,7 @@
 #include "filigree/trace/render.h"
 
 #include "jobs/camera_choice.h"
+#include "jobs/device_picture.h"
 #include "jobs/heat_map.h"
 #include "jobs/json_text.h"
 #include "jobs/opacity_input.h"
@@ -53,6 +54,20 @@ Status checkNumbers(const RenderOptions& options, Method method) {
     return {};
 }
 
+Status checkBackend(const RenderOptions& options) {
+    if (options.backend != "cpu" && options.backend != "vulkan")
+        return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
+    if (options.backend == "cpu") {
+        if (options.device.empty()) return {};
+        return Error{ErrorKind::usage, "--device: goes with --backend vulkan"};
+    }
+    if (options.defer)
+        return Error{ErrorKind::unsupported,
+                     "--defer: the backend vulkan defers no alpha tests; leave it out"};
+    if (options.heatmap.empty() || options.heatmapOf == HeatmapOf::tests) return {};
+    return Error{ErrorKind::unsupported, "--heatmap-of bits: the backend vulkan does not count bits"};
+}
+
 // One run of the verb.
 class Rendering {
   public:
@@ -76,7 +91,7 @@ class Rendering {
         auto opacity = prepareOpacity();
         if (!opacity) return opacity.error();
         summary_.firstSampleSeconds = total_.seconds();
-        auto film = rendered(*opacity->opacity, !options_.output.empty() && options_.previewSeconds > 0);
+        auto film = rendered(*opacity, !options_.output.empty() && options_.previewSeconds > 0);
         if (!film) return film.error();
         if (auto written = writePictures(*film); !written) return written.error();
         summarise(*film, *opacity);
@@ -144,7 +159,20 @@ class Rendering {
                                 static_cast<float>(options_.width) / static_cast<float>(options_.height));
         if (!camera) return camera.error();
         settings_.camera = std::move(*camera);
-        return check(settings_);
+        if (auto good = check(settings_); !good) return good;
+        return options_.backend == "vulkan" ? openDevice() : Status();
+    }
+
+    Status openDevice() {
+        if (grids_)
+            return Error{
+                ErrorKind::unsupported,
+                fmt::format("{}: the backend vulkan renders no compressed grids", options_.input.string())};
+        auto opened = DeviceScene::open({options_.device, {}}, scene_, *world_);
+        if (!opened) return opened.error().within("--backend vulkan");
+        device_.emplace(std::move(*opened));
+        if (options_.previewSeconds > 0) note("--preview is ignored: the backend vulkan writes none");
+        return {};
     }
 
     Result<OpacityInput> prepareOpacity() {
@@ -197,7 +225,9 @@ class Rendering {
             note(fmt::format("--states is ignored: {} has no states", nameOf(method_)));
     }
 
-    Result<trace::Film> rendered(const trace::Opacity& opacity, bool previews) {
+    Result<trace::Film> rendered(const OpacityInput& input, bool previews) {
+        if (device_) return renderedByDevice(input);
+        const trace::Opacity& opacity = *input.opacity;
         trace::Film film(options_.width, options_.height);
         const Stopwatch watch;
         double next = options_.previewSeconds;
@@ -211,6 +241,20 @@ class Rendering {
         progress_.end();
         if (progress_.cancelled()) return Error{ErrorKind::cancelled, "stopped while rendering"};
         if (summary_.seconds == 0) summary_.seconds = watch.seconds();
+        return film;
+    }
+
+    Result<trace::Film> renderedByDevice(const OpacityInput& input) {
+        auto painter = device_->prepare(input, maps_);
+        if (!painter) return painter.error().within("--backend vulkan");
+        const Stopwatch watch;
+        progress_.begin(nameOf(input.opacity->method()),
+                        uint64_t{options_.spp} * options_.width * options_.height, "pixels");
+        auto film = device_->render(*painter, settings_, options_.spp, progress_);
+        progress_.end();
+        if (summary_.seconds == 0) summary_.seconds = watch.seconds();
+        if (!film || !hasStates(input.opacity->method())) return film;
+        for (trace::RayCounts& counts : film->counters.of) counts.unknown = counts.textureFetches;
         return film;
     }
 
@@ -249,7 +293,7 @@ class Rendering {
 
     // The same picture once more by the texture alone, which the maps must not change.
     Status writeTriptych(const trace::Film& film, const scene::ColourImage& picture) {
-        const auto reference = trace::Opacity::make(Method::texture, 4, *world_, encoding::EncodedView{}, {});
+        const auto reference = makeOpacity(Method::texture, 4, scene_, {}, *world_, executor_);
         if (!reference) return reference.error();
         const auto without = rendered(*reference, false);
         if (!without) return without.error();
@@ -278,6 +322,12 @@ class Rendering {
         summary_.textureBytes = bytes.textures;
         summary_.geometryBytes = bytes.geometry;
         summary_.bvhBytes = bytes.bvh;
+        summary_.backend = options_.backend;
+        if (device_) {
+            summary_.bvhBytes = device_->scene().bytes().structures;
+            summary_.device = device_->device().facts().name;
+            summary_.driver = device_->device().facts().driver;
+        }
         summary_.peakBytes = peakMemory();
         summary_.totalSeconds = total_.seconds();
     }
@@ -297,6 +347,7 @@ class Rendering {
     std::unique_ptr<io::FilGrids> grids_;  // null: none
     scene::Scene scene_;
     std::optional<trace::World> world_;  // of both
+    std::optional<DeviceScene> device_;  // none: the CPU renders
     SceneMaps maps_;
     RenderSummary summary_;
 };
@@ -331,6 +382,7 @@ Result<RenderSummary> render(const RenderOptions& options, const Executor& execu
                                                    options.integrator)};
     }
     if (auto checked = checkNumbers(options, *method); !checked) return checked.error();
+    if (auto checked = checkBackend(options); !checked) return checked.error();
     if (auto checked = trace::checkSize(options.width, options.height); !checked) return checked.error();
     return Rendering(options, *method, *integrator, executor, progress).run();
 }
@@ -357,6 +409,11 @@ std::string toJson(const RenderSummary& s) {
                           static_cast<double>(s.grids->bytes) / static_cast<double>(s.grids->triangles)}};
     }
     json["image_sha256"] = s.imageSha256;
+    json["backend"] = s.backend;
+    if (!s.device.empty()) {
+        json["device"] = s.device;
+        json["driver"] = s.driver;
+    }
     json["ray_kinds"] = Json::object();
     for (size_t k = 0; k < trace::rayKindCount; ++k) {
         const auto kind = static_cast<trace::RayKind>(k);

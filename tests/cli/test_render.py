@@ -52,6 +52,16 @@ class Render(CliTest):
         self.assertEqual(result["rays"], sum(kind["rays"] for kind in result["ray_kinds"].values()))
         self.assertEqual(size_of(self.data("out.png")), (48, 32))
 
+    def test_backend_vulkan_draws_what_the_texture_draws(self):
+        tried = self.run_program("render", "in.glb", "-o", "out.png", *SMALL, "--backend", "vulkan", "--method", "texture")
+        if tried.returncode == 1:
+            self.skipTest(tried.stderr.strip())
+        reference, _ = self.render("--backend", "vulkan", "--method", "texture")
+        result, _ = self.render("--backend", "vulkan", "--method", "sdag")
+        self.assertEqual([result["backend"], result["image_sha256"]], ["vulkan", reference["image_sha256"]])
+        self.assertTrue(result["device"] and result["driver"])
+        self.assertLess(result["texture_fetches"], reference["texture_fetches"])
+
     def test_threads_change_nothing(self):
         first = self.render("--threads", "1")[0]["image_sha256"]
         self.assertEqual(self.render("--threads", "4")[0]["image_sha256"], first)

@@ -55,6 +55,10 @@ struct RenderOptions {
     HeatmapOf heatmapOf = HeatmapOf::tests;
     std::filesystem::path triptych;  // .png; empty: none
     double previewSeconds = 0;       // 0: none
+    // "cpu", or "vulkan": ray queries of a device, which `device` names by number or part of its name; empty:
+    // the best.
+    std::string backend = "cpu";
+    std::string device;
 };
 
 // What a picture cost where the texture is asked every time, and how far it differs.
@@ -91,6 +95,9 @@ struct RenderSummary {
     double seconds = 0;             // of tracing alone; counting bits takes up to a tenth of it
     double totalSeconds = 0;
     std::optional<TriptychSummary> triptych;
+    std::string backend;
+    std::string device;  // its name and driver; empty: the CPU
+    std::string driver;
     std::optional<RenderedGrids> grids;
     std::vector<std::string> notes;
 
