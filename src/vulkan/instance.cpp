@@ -76,7 +76,10 @@ Result<Instance> Instance::make(const MessageSink& sink) {
         info.ppEnabledExtensionNames = &messengerExtension;
     }
     VkInstance instance = VK_NULL_HANDLE;
-    auto status = checked(vkCreateInstance(&info, nullptr, &instance), "connect to Vulkan");
+    const VkResult connected = vkCreateInstance(&info, nullptr, &instance);
+    if (connected == VK_ERROR_INCOMPATIBLE_DRIVER)
+        return Error{ErrorKind::unsupported, "no Vulkan device was found; install a driver"};
+    auto status = checked(connected, "connect to Vulkan");
     if (!status) return status.error();
     made.instance_.reset(instance);
     if (!watched) return made;

@@ -28,8 +28,8 @@ struct DeviceFacts {
     bool micromaps = false;    // VK_EXT_opacity_micromap or VK_KHR_opacity_micromap
 };
 
-// The devices with Vulkan 1.1 or later, in the order of the drivers. Empty without a driver.
-// ErrorKind::unsupported where Vulkan is not built in.
+// The devices with Vulkan 1.1 or later, in the order of the drivers. ErrorKind::unsupported without a driver,
+// and where Vulkan is not built in.
 Result<std::vector<DeviceFacts>> devices();
 
 // Which device `wanted` names: a number from 0, or a part of a name, upper and lower case alike, that only
