@@ -183,6 +183,7 @@ Result<GridScene> fileScene(const std::string& name, const BenchGridsOptions& op
     scene.precision.lossless = options.lossless && isHeightfield(path);
     if (scene.mesh.diagonals.empty()) return scene;
     converting.uniformDiagonals = true;
+    converting.turnQuads = true;
     auto uniform = readGridInput(path, converting, {}, executor);
     if (!uniform) return uniform.error();
     scene.uniformMesh = std::move(uniform->mesh);

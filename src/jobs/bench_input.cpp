@@ -3,6 +3,8 @@
 #include "filigree/core/bytes.h"
 #include "filigree/core/file.h"
 
+#include "jobs/random.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,22 +16,6 @@ namespace filigree::jobs {
 namespace {
 
 constexpr uint32_t side = 1024;  // texels
-
-// A small generator whose numbers are the same everywhere (Steele, Lea and Flood, SplitMix64, 2014).
-class Random {
-  public:
-    double unit() {
-        state_ += 0x9e3779b97f4a7c15ull;
-        uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
-    }
-    double between(double low, double high) { return low + unit() * (high - low); }
-
-  private:
-    uint64_t state_ = 1;
-};
 
 // How far inside a lobed, toothed leaf the point (x, y) of [-1, 1]^2 lies, in about the same units; negative
 // outside.
@@ -65,15 +51,15 @@ mesh::Uv uvAt(double u, double v) {
 }
 
 std::vector<mesh::UvTriangle> makeRandomTriangles(size_t count) {
-    Random random;
+    Random random(1);
     std::vector<mesh::UvTriangle> triangles(count);
     for (mesh::UvTriangle& t : triangles) {
-        const double u = random.unit();
-        const double v = random.unit();
-        const double turn = random.between(0, 2 * std::numbers::pi);
-        const double opening = random.between(0.6, 1.8);
-        const double first = random.between(64, 256) / side;
-        const double second = random.between(64, 256) / side;
+        const double u = random.uniform(0, 1);
+        const double v = random.uniform(0, 1);
+        const double turn = random.uniform(0, 2 * std::numbers::pi);
+        const double opening = random.uniform(0.6, 1.8);
+        const double first = random.uniform(64, 256) / side;
+        const double second = random.uniform(64, 256) / side;
         t.uv = {uvAt(u, v), uvAt(u + first * std::cos(turn), v + first * std::sin(turn)),
                 uvAt(u + second * std::cos(turn + opening), v + second * std::sin(turn + opening))};
     }

@@ -94,6 +94,7 @@ class GridsRun {
     Status read() {
         grid::ConvertOptions converting;
         converting.uniformDiagonals = choice_.codec == grid::Codec::paper;
+        converting.turnQuads = converting.uniformDiagonals;
         converting.attributes = options_.attributes;
         io::HeightfieldOptions heights;
         heights.cell = options_.cell.value_or(heights.cell);

@@ -12,11 +12,23 @@
 #include <fmt/format.h>
 
 namespace filigree::trace {
+
+// Vertices and what is made of them, shared with Embree.
+struct EmbreeBuffers {
+    std::vector<Vec3> vertices;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    std::vector<RTCGrid> grids;
+
+    [[nodiscard]] uint64_t bytes() const {
+        return vertices.size() * sizeof(Vec3) + triangles.size() * sizeof(triangles[0]) +
+               grids.size() * sizeof(RTCGrid);
+    }
+};
+
 namespace {
 
 using grid::Diagonal;
 using grid::GridMesh;
-using grid::Ray;
 using grid::VertexGrid;
 
 constexpr std::array<std::string_view, embreeLayoutCount> layoutNames{
@@ -38,18 +50,6 @@ bool countGridMemory(void* bytes, ssize_t change, bool) {
     *static_cast<std::atomic<int64_t>*>(bytes) += change;
     return true;
 }
-
-// Vertices and what is made of them, shared with Embree.
-struct EmbreeBuffers {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<uint32_t, 3>> triangles;
-    std::vector<RTCGrid> grids;
-
-    [[nodiscard]] uint64_t bytes() const {
-        return vertices.size() * sizeof(Vec3) + triangles.size() * sizeof(triangles[0]) +
-               grids.size() * sizeof(RTCGrid);
-    }
-};
 
 // The triangles of a quad whose vertex a has number `a`.
 std::array<std::array<uint32_t, 3>, 2> trianglesOfQuad(uint32_t a, uint32_t columns, Diagonal diagonal) {
@@ -131,7 +131,7 @@ EmbreeBuffers allGrids(const GridMesh& mesh) {
     return buffers;
 }
 
-RTCRay embreeGridRay(const Ray& from) {
+RTCRay embreeGridRay(const grid::Ray& from) {
     RTCRay ray;
     ray.org_x = from.origin[0];
     ray.org_y = from.origin[1];
@@ -148,7 +148,7 @@ RTCRay embreeGridRay(const Ray& from) {
     return ray;
 }
 
-RTCRayHit embreeGridQuery(const Ray& from) {
+RTCRayHit embreeGridQuery(const grid::Ray& from) {
     RTCRayHit query;
     query.ray = embreeGridRay(from);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -258,7 +258,7 @@ double EmbreeGrids::buildSeconds() const {
     return data_->buildSeconds;
 }
 
-void EmbreeGrids::closest(std::span<const Ray> rays, std::span<EmbreeHit> hits) const {
+void EmbreeGrids::closest(std::span<const grid::Ray> rays, std::span<EmbreeHit> hits) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (size_t k = 0; k < rays.size(); ++k) {
@@ -268,7 +268,7 @@ void EmbreeGrids::closest(std::span<const Ray> rays, std::span<EmbreeHit> hits) 
     }
 }
 
-void EmbreeGrids::any(std::span<const Ray> rays, std::span<uint8_t> answers) const {
+void EmbreeGrids::any(std::span<const grid::Ray> rays, std::span<uint8_t> answers) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (size_t k = 0; k < rays.size(); ++k) {
@@ -278,7 +278,7 @@ void EmbreeGrids::any(std::span<const Ray> rays, std::span<uint8_t> answers) con
     }
 }
 
-void EmbreeGrids::closestStreamed(std::span<const Ray> rays, std::span<EmbreeHit> hits) const {
+void EmbreeGrids::closestStreamed(std::span<const grid::Ray> rays, std::span<EmbreeHit> hits) const {
     if (!data_->hasStreams) return closest(rays, hits);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -292,7 +292,7 @@ void EmbreeGrids::closestStreamed(std::span<const Ray> rays, std::span<EmbreeHit
     }
 }
 
-void EmbreeGrids::anyStreamed(std::span<const Ray> rays, std::span<uint8_t> answers) const {
+void EmbreeGrids::anyStreamed(std::span<const grid::Ray> rays, std::span<uint8_t> answers) const {
     if (!data_->hasStreams) return any(rays, answers);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
