@@ -12,6 +12,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(filigree_flags INTERFACE -Wno-maybe-uninitialized -Wno-array-bounds
         -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
 endif()
+# Processors that lack SSE4 take the scalar code: each target compiles all SIMD code once more.
+target_compile_definitions(filigree_flags INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
 if(FILIGREE_SANITIZE)
     # Without the checks whose finds the address sanitizer makes too, and that of alignment, which our processors do
     # not mind: they double the time of the build.

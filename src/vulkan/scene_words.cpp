@@ -38,7 +38,10 @@ class SceneWriter {
             if (made_.words.size() > mostWords)
                 return Error{ErrorKind::limit, "the scene's geometry and textures take more than 4 GiB"};
         }
-        std::memcpy(made_.words.data(), made_.surfaces.data(), made_.surfaces.size() * sizeof(SurfaceWords));
+        if (!made_.surfaces.empty()) {
+            std::memcpy(made_.words.data(), made_.surfaces.data(),
+                        made_.surfaces.size() * sizeof(SurfaceWords));
+        }
         return std::move(made_);
     }
 
