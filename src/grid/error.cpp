@@ -19,54 +19,40 @@ double squaredDistance(const Vec3& a, const Vec3& b) {
 }
 
 // Sums of runs, added in their order, so that the threads do not matter.
-struct ErrorSum {
-    double squares = 0;
+struct RunSum {
+    double total = 0;
     double most = 0;
     uint64_t count = 0;
 
-    void add(double square) {
-        squares += square;
-        most = std::max(most, square);
+    void add(double value) {
+        total += value;
+        most = std::max(most, value);
         ++count;
     }
-    void add(const ErrorSum& other) {
-        squares += other.squares;
+    void add(const RunSum& other) {
+        total += other.total;
         most = std::max(most, other.most);
         count += other.count;
     }
-    [[nodiscard]] VertexErrors errors() const {
-        return {count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0, std::sqrt(most), count};
-    }
+    [[nodiscard]] double mean() const { return count > 0 ? total / static_cast<double>(count) : 0; }
 };
 
+// Of a sum of squared distances.
+VertexErrors errorsOf(const RunSum& squares) {
+    return {std::sqrt(squares.mean()), std::sqrt(squares.most), squares.count};
+}
+
 // The sum of body(begin, end) over runs of indices.
-template <class Sum>
-Sum summed(size_t count, const Executor& executor, const std::function<Sum(size_t, size_t)>& body) {
+RunSum summed(size_t count, const Executor& executor, const std::function<RunSum(size_t, size_t)>& body) {
     constexpr size_t run = 4096;
-    std::vector<Sum> sums((count + run - 1) / run);
+    std::vector<RunSum> sums((count + run - 1) / run);
     executor.parallelFor(sums.size(), 1, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) sums[k] = body(k * run, std::min(count, (k + 1) * run));
     });
-    Sum all{};
-    for (const Sum& sum : sums) all.add(sum);
+    RunSum all;
+    for (const RunSum& sum : sums) all.add(sum);
     return all;
 }
-
-struct ShareSum {
-    double shares = 0;
-    double most = 0;
-    uint64_t count = 0;
-    void add(double share) {
-        shares += share;
-        most = std::max(most, share);
-        ++count;
-    }
-    void add(const ShareSum& other) {
-        shares += other.shares;
-        most = std::max(most, other.most);
-        count += other.count;
-    }
-};
 
 // The largest error of a sub-grid against the diagonal of its box, negative where that is 0.
 double shareOf(const GridMesh& mesh, const DecodedGrids& decoded, const PaperPlace& place) {
@@ -84,8 +70,8 @@ double shareOf(const GridMesh& mesh, const DecodedGrids& decoded, const PaperPla
     return diagonal > 0 ? std::sqrt(most) / diagonal : -1;
 }
 
-ErrorSum looseErrors(const GridMesh& mesh, const DecodedGrids& decoded) {
-    ErrorSum sum;
+RunSum looseErrors(const GridMesh& mesh, const DecodedGrids& decoded) {
+    RunSum sum;
     for (size_t t = 0; t < mesh.looseTriangles.size(); ++t) {
         for (size_t corner = 0; corner < 3; ++corner) {
             const Vec3& source = mesh.looseVertices[mesh.looseTriangles[t][corner]];
@@ -105,25 +91,25 @@ Box boundsOf(const GridMesh& mesh) {
 }
 
 GridErrors errorsOf(const GridMesh& mesh, const DecodedGrids& decoded, const Executor& executor) {
-    ErrorSum sum = summed<ErrorSum>(mesh.vertices.size(), executor, [&](size_t begin, size_t end) {
-        ErrorSum some;
+    RunSum sum = summed(mesh.vertices.size(), executor, [&](size_t begin, size_t end) {
+        RunSum some;
         for (size_t k = begin; k < end; ++k) some.add(squaredDistance(mesh.vertices[k], decoded.vertices[k]));
         return some;
     });
     GridErrors errors;
-    errors.grids = sum.errors();
+    errors.grids = errorsOf(sum);
     sum.add(looseErrors(mesh, decoded));
-    errors.all = sum.errors();
+    errors.all = errorsOf(sum);
     const std::vector<PaperPlace> places = subGridsOf(mesh);
-    const auto shares = summed<ShareSum>(places.size(), executor, [&](size_t begin, size_t end) {
-        ShareSum some;
+    const auto shares = summed(places.size(), executor, [&](size_t begin, size_t end) {
+        RunSum some;
         for (size_t k = begin; k < end; ++k) {
             const double share = shareOf(mesh, decoded, places[k]);
             if (share >= 0) some.add(share);
         }
         return some;
     });
-    errors.subGridMean = shares.count > 0 ? shares.shares / static_cast<double>(shares.count) : 0;
+    errors.subGridMean = shares.mean();
     errors.subGridMax = shares.most;
     return errors;
 }
@@ -140,8 +126,8 @@ SubGridShares subGridShares(const GridMesh& mesh, const DecodedGrids& decoded, u
 VertexErrors paperErrors(const GridMesh& mesh, DisplacementCode displacement, const Executor& executor) {
     const PaperCode paper = PaperCode::forDiagonal(displacement, boundsOf(mesh).diagonal());
     const std::vector<PaperPlace> places = subGridsOf(mesh);
-    const auto sum = summed<ErrorSum>(places.size(), executor, [&](size_t begin, size_t end) {
-        ErrorSum some;
+    const auto sum = summed(places.size(), executor, [&](size_t begin, size_t end) {
+        RunSum some;
         for (size_t k = begin; k < end; ++k) {
             const PaperPlace& place = places[k];
             const PaperVertices source = subGridVertices(mesh.vertices, mesh.grids[place.grid], place);
@@ -154,7 +140,7 @@ VertexErrors paperErrors(const GridMesh& mesh, DisplacementCode displacement, co
         }
         return some;
     });
-    return sum.errors();
+    return errorsOf(sum);
 }
 
 }  // namespace filigree::grid

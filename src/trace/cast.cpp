@@ -1,27 +1,12 @@
 #include "trace/cast.h"
 
+#include "trace/embree_ray.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace filigree::trace {
 namespace {
-
-RTCRay embreeRay(const Ray& from) {
-    RTCRay ray;
-    ray.org_x = from.origin[0];
-    ray.org_y = from.origin[1];
-    ray.org_z = from.origin[2];
-    ray.tnear = 0;
-    ray.dir_x = from.direction[0];
-    ray.dir_y = from.direction[1];
-    ray.dir_z = from.direction[2];
-    ray.time = 0;
-    ray.tfar = from.length;
-    ray.mask = ~0u;
-    ray.id = 0;
-    ray.flags = 0;
-    return ray;
-}
 
 // Embree asserts that rays are finite and not far beyond the scene, also in the space of an instance.
 bool isUsable(const Ray& ray) {
@@ -51,7 +36,7 @@ std::optional<NearestHit> Caster::nearestHit(const Ray& ray) {
     RayContext context = contextOf(ray);
     if (!isUsable(ray)) return std::nullopt;
     RTCRayHit found;
-    found.ray = embreeRay(ray);
+    found.ray = embreeRay(ray.origin, ray.direction, 0, ray.length);
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(world_.top.get(), &context.embree, &found);
@@ -73,7 +58,7 @@ bool Caster::isOccluded(const Ray& ray) {
     if (tracer_ && tracer_->any({ray.origin, ray.direction, 0, ray.length})) return true;
     DeferredCandidates deferred;
     if (options_.defer) context.deferred = &deferred;
-    RTCRay found = embreeRay(ray);
+    RTCRay found = embreeRay(ray.origin, ray.direction, 0, ray.length);
     rtcOccluded1(world_.top.get(), &context.embree, &found);
     if (found.tfar < 0) return true;
     return std::any_of(deferred.of.begin(), deferred.of.begin() + static_cast<std::ptrdiff_t>(deferred.count),

@@ -1,5 +1,6 @@
 #include "filigree/trace/embree_grids.h"
 
+#include "trace/embree_ray.h"
 #include "trace/world_data.h"
 
 #include <algorithm>
@@ -132,20 +133,7 @@ EmbreeBuffers allGrids(const GridMesh& mesh) {
 }
 
 RTCRay embreeGridRay(const grid::Ray& from) {
-    RTCRay ray;
-    ray.org_x = from.origin[0];
-    ray.org_y = from.origin[1];
-    ray.org_z = from.origin[2];
-    ray.tnear = from.tMin;
-    ray.dir_x = from.direction[0];
-    ray.dir_y = from.direction[1];
-    ray.dir_z = from.direction[2];
-    ray.time = 0;
-    ray.tfar = from.tMax;
-    ray.mask = ~0u;
-    ray.id = 0;
-    ray.flags = 0;
-    return ray;
+    return embreeRay(from.origin, from.direction, from.tMin, from.tMax);
 }
 
 RTCRayHit embreeGridQuery(const grid::Ray& from) {

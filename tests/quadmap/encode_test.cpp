@@ -9,6 +9,7 @@
 #include "sample_squares.h"
 
 #include <bit>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
@@ -79,12 +80,16 @@ TEST(Encoders, GiveTheSameBlocksOnEachTarget) {
     const Square leaf = leafySquare(16, random);
     for (const Encoder& encoder : encoders()) {
         // A small leaf in one corner, so that the scalar target is done in time.
-        Square square(sideOf(encoder.format), Region::transparent);
-        for (unsigned at = 0; at < 256; ++at) square.at(at % 16, at / 16) = leaf.regions[at];
-        const Bytes block = encoder.encode(square, Prefer::neither);
-        ASSERT_TRUE(forceTarget("scalar").ok());
-        EXPECT_EQ(encoder.encode(square, Prefer::neither), block) << encoder.name;
-        ASSERT_TRUE(forceTarget("best").ok());
+        Square cornered(sideOf(encoder.format), Region::transparent);
+        for (unsigned at = 0; at < 256; ++at) cornered.at(at % 16, at / 16) = leaf.regions[at];
+        std::vector<Square> squares{cornered};
+        if (std::getenv("FILIGREE_FULL") != nullptr) squares = sampleSquares(sideOf(encoder.format), 5);
+        for (const Square& square : squares) {
+            const Bytes block = encoder.encode(square, Prefer::neither);
+            ASSERT_TRUE(forceTarget("scalar").ok());
+            EXPECT_EQ(encoder.encode(square, Prefer::neither), block) << encoder.name;
+            ASSERT_TRUE(forceTarget("best").ok());
+        }
     }
 }
 
