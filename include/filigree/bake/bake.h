@@ -1,6 +1,7 @@
 // From textured triangles to opacity micromaps. docs/spec/bake.md defines every state this makes.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -49,12 +50,13 @@ struct Baked {
 // Bakes `triangles` over `texture` under `test`. A state is known only where it is certain (AlphaTest). The
 // result does not depend on the executor or the instruction set. Fails on settings out of range and when
 // cancelled.
-Result<Baked> bake(std::span<const mesh::UvTriangle> triangles, const image::AlphaTexture& texture,
-                   const image::AlphaTest& test, const Settings& settings, const Executor& executor,
-                   ProgressSink& progress);
+FILIGREE_API Result<Baked> bake(std::span<const mesh::UvTriangle> triangles,
+                                const image::AlphaTexture& texture, const image::AlphaTest& test,
+                                const Settings& settings, const Executor& executor, ProgressSink& progress);
 
 // The highest useful level of a triangle on a texture of width x height texels, clamped to `maxLevel`. 0 when
 // a UV is not finite.
-unsigned usefulLevel(const mesh::UvTriangle& triangle, uint32_t width, uint32_t height, unsigned maxLevel);
+FILIGREE_API unsigned usefulLevel(const mesh::UvTriangle& triangle, uint32_t width, uint32_t height,
+                                  unsigned maxLevel);
 
 }  // namespace filigree::bake

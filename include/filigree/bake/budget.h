@@ -1,6 +1,7 @@
 // Levels under a byte budget: where a micromap's bytes save the most any-hit calls.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/micromap/set.h"
 
 #include <cstdint>
@@ -33,13 +34,14 @@ struct BudgetChoice {
 // multiple-choice knapsack, taken greedily along each micromap's convex hull of bytes and cost (Sinha and
 // Zoltners 1979). Not the optimum, but never further from it than one micromap's step, and `bound` says how
 // far.
-BudgetChoice chooseLevels(std::span<const BudgetMap> maps, micromap::Format format, uint64_t budgetBytes);
+FILIGREE_API BudgetChoice chooseLevels(std::span<const BudgetMap> maps, micromap::Format format,
+                                       uint64_t budgetBytes);
 
 // What a micromap costs at each level 0..tree.level, as a share of its area: unknown (4-state) or on the
 // wrong side (2-state).
-std::vector<double> costByLevel(const micromap::QuadtreeView& tree, micromap::Format format);
+FILIGREE_API std::vector<double> costByLevel(const micromap::QuadtreeView& tree, micromap::Format format);
 
 // `set` with each tree at its chosen level (micromap::coarsened), shared again.
-micromap::TreeSet coarsenedTo(const micromap::TreeSet& set, std::span<const uint8_t> levels);
+FILIGREE_API micromap::TreeSet coarsenedTo(const micromap::TreeSet& set, std::span<const uint8_t> levels);
 
 }  // namespace filigree::bake

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/bvh/node.h"
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -21,11 +22,11 @@ struct Bvh {
 // the boxes given. None may be empty or reach 2^127, at least one is needed, at most 2^31. The same nodes for
 // any executor. Beside the result it needs some 10 bytes a box, and memory for the subtrees that are being
 // built: at most 65,536 boxes each.
-Bvh build(std::span<const Box> boxes, const Executor& executor);
+FILIGREE_API Bvh build(std::span<const Box> boxes, const Executor& executor);
 
 // What traversal relies on: children behind their parents, each node and each of `leafCount` leaves in one
 // place, and no way down longer than maxDepth.
 inline constexpr unsigned maxDepth = 64;
-Status check(std::span<const Node> nodes, uint64_t leafCount);
+FILIGREE_API Status check(std::span<const Node> nodes, uint64_t leafCount);
 
 }  // namespace filigree::bvh

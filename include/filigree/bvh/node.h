@@ -1,6 +1,7 @@
 // The compressed node of an 8-wide hierarchy (Ylitie, Karras and Laine 2017, section 3.1; docs/spec/bvh.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 
 #include <array>
@@ -16,7 +17,7 @@ inline constexpr int minExponent = -126;  // so that 2^exponent is a normal floa
 // each axis, rounded outwards; places of the lattice fit in 24 bits, so that floats hold them exactly. A
 // child is empty, another node, or one leaf. Inner children stand at firstChild, firstChild + 1, ... in slot
 // order, leaves are numbered firstLeaf, firstLeaf + 1, ... in slot order.
-struct Node {
+struct FILIGREE_API Node {
     std::array<float, 3> origin{};
     std::array<int8_t, 3> exponent{};
     uint8_t innerMask = 0;  // bit k: child k is a node

@@ -3,6 +3,7 @@
 
 #include "filigree/bvh/build.h"
 #include "filigree/bvh/node.h"
+#include "filigree/core/api.h"
 #include "filigree/core/vec3.h"
 
 #include <array>
@@ -25,11 +26,11 @@ struct Segment {
 inline constexpr float walkSlack = 0x1p-19F;
 
 // No box under the root has greater coordinates, but for the last steps of its lattice.
-Vec3 largestCoordinates(const Node& root);
+FILIGREE_API Vec3 largestCoordinates(const Node& root);
 
 // Where a ray has got to. After a call of NextLeaf or NextLeaves `leaf` says what to test; where that finds a
 // hit, lower tMax before the next call.
-class Walk {
+class FILIGREE_API Walk {
   public:
     // `largest`: largestCoordinates() of the first node.
     void start(const Segment& segment, const Vec3& largest);
@@ -68,6 +69,6 @@ enum class WalkOrder : uint8_t {
     nearest,  // first, by boxes
     any,      // cheaper; for rays that end at their first hit
 };
-WalkFunctions walkFunctions(WalkOrder order);
+FILIGREE_API WalkFunctions walkFunctions(WalkOrder order);
 
 }  // namespace filigree::bvh

@@ -1,6 +1,8 @@
 // Where parallel work runs. Algorithms take an Executor and never start a thread themselves.
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -9,7 +11,7 @@ namespace filigree {
 
 // Runs loops. Implementations may call the body from several threads at once, each index exactly once, in any
 // order; algorithms must give the same bytes whatever the order.
-class Executor {
+class FILIGREE_API Executor {
   public:
     virtual ~Executor() = default;
 
@@ -23,9 +25,9 @@ class Executor {
 };
 
 // Runs everything on the calling thread. The reference stays valid for the whole program.
-const Executor& serialExecutor();
+FILIGREE_API const Executor& serialExecutor();
 
 // A pool of `threads` threads (0: one for each processor) on oneTBB.
-std::unique_ptr<Executor> makeThreadedExecutor(unsigned threads);
+FILIGREE_API std::unique_ptr<Executor> makeThreadedExecutor(unsigned threads);
 
 }  // namespace filigree

@@ -1,6 +1,7 @@
 // A file in place: its bytes without reading them first.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace filigree {
 
 // The bytes of a regular file, mapped to memory for reading. They stay at their address when the object
 // moves. The file must not be shortened while it is open.
-class MappedFile {
+class FILIGREE_API MappedFile {
   public:
     // Fails with ErrorKind::file when `path` cannot be opened or is no regular file.
     static Result<MappedFile> open(const std::filesystem::path& path);

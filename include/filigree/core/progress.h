@@ -1,13 +1,15 @@
 // How long work reports where it is, and how a caller stops it.
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <cstdint>
 #include <string_view>
 
 namespace filigree {
 
 // Receives progress. Calls may come from several threads at once.
-class ProgressSink {
+class FILIGREE_API ProgressSink {
   public:
     virtual ~ProgressSink() = default;
 
@@ -25,6 +27,6 @@ class ProgressSink {
 };
 
 // Ignores everything. The reference stays valid for the whole program.
-ProgressSink& silentProgress();
+FILIGREE_API ProgressSink& silentProgress();
 
 }  // namespace filigree

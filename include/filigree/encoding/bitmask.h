@@ -2,6 +2,7 @@
 // docs/spec/bitmask.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -48,7 +49,7 @@ struct BitmaskAxis {
 };
 
 // Looks states up in a set that was checked when it was opened. Looks into the view that it was opened from.
-class BitmaskReader {
+class FILIGREE_API BitmaskReader {
   public:
     // Checks all of `set`.
     static Result<BitmaskReader> open(const EncodedView& set);
@@ -115,7 +116,7 @@ class BitmaskReader {
 // A bitmask for each source; texture k of the set is sources[k]. The result does not depend on the executor.
 // ErrorKind::usage for a guard above 8 texels or numbers that are not finite and >= 0, ErrorKind::limit above
 // 4 GiB - 1 of payload.
-Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources, micromap::Format format,
-                                  const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources,
+                                               micromap::Format format, const Executor& executor);
 
 }  // namespace filigree::encoding

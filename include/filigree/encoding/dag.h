@@ -1,6 +1,7 @@
 // Micromaps as one graph of merged subtrees (Chernaik, Modisett and Billeter 2026): docs/spec/dag.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -19,7 +20,7 @@
 namespace filigree::encoding {
 
 // MapReader's functions without virtual calls; see there for ranges.
-class DagReader {
+class FILIGREE_API DagReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<DagReader> open(const EncodedView& set);
@@ -105,7 +106,7 @@ class DagReader {
 };
 
 // All of `maps` as one graph. ErrorKind::limit above 1 GiB of payload.
-Result<EncodedSet> encodeDag(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                             const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeDag(std::span<const micromap::QuadtreeView> maps,
+                                          micromap::Format format, const Executor& executor);
 
 }  // namespace filigree::encoding

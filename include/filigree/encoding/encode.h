@@ -1,6 +1,7 @@
 // Micromaps as quadtrees to any encoding of them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
@@ -21,7 +22,8 @@ struct EncodeOptions {
 // Encodes `maps`, of levels 0..maxLevel in any mixture; map k of the set is maps[k]. With Format::twoState
 // the sides of states are kept. The result does not depend on the executor. ErrorKind::limit when the set
 // outgrows the encoding's offsets, ErrorKind::usage for Encoding::bitmask, which does not encode micromaps.
-Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
-                          micromap::Format format, const EncodeOptions& options, const Executor& executor);
+FILIGREE_API Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
+                                       micromap::Format format, const EncodeOptions& options,
+                                       const Executor& executor);
 
 }  // namespace filigree::encoding

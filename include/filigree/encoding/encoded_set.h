@@ -1,6 +1,7 @@
 // Sets of micromaps in one of the encodings, as the bytes that stay in memory while rays are traced.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/micromap/state.h"
 
 #include <cstdint>
@@ -24,8 +25,8 @@ enum class Encoding : uint8_t {
 inline constexpr unsigned encodingCount = 7;
 
 // The name that the command line takes, and the way back.
-std::string_view nameOf(Encoding encoding);
-std::optional<Encoding> encodingNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(Encoding encoding);
+FILIGREE_API std::optional<Encoding> encodingNamed(std::string_view name);
 
 // Distinct micromaps, or with Encoding::bitmask textures. Every byte that a lookup needs is in one of the two
 // blocks; both are little-endian and may be mapped from a file at any address.

@@ -1,6 +1,7 @@
 // Flat micromaps, as the APIs take them: docs/spec/flat.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -16,7 +17,7 @@
 namespace filigree::encoding {
 
 // MapReader's functions without virtual calls; see there for ranges.
-class FlatReader {
+class FILIGREE_API FlatReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<FlatReader> open(const EncodedView& set);
@@ -59,7 +60,7 @@ class FlatReader {
 };
 
 // `maps` one after another. ErrorKind::limit above 4 GiB - 1 of payload.
-Result<EncodedSet> encodeFlat(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                              const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeFlat(std::span<const micromap::QuadtreeView> maps,
+                                           micromap::Format format, const Executor& executor);
 
 }  // namespace filigree::encoding

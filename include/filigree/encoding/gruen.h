@@ -2,6 +2,7 @@
 // docs/spec/gruen.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -55,7 +56,7 @@ enum class GruenBit : uint8_t {
 
 // MapReader's functions without virtual calls; see there for ranges. An unknown state reads as
 // unknown-opaque.
-class GruenReader {
+class FILIGREE_API GruenReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<GruenReader> open(const EncodedView& set);
@@ -110,7 +111,7 @@ class GruenReader {
 
 // `maps` one after another; `bit` matters with Format::twoState only. ErrorKind::limit above 4 GiB - 1 of
 // payload.
-Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                               GruenBit bit, const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps,
+                                            micromap::Format format, GruenBit bit, const Executor& executor);
 
 }  // namespace filigree::encoding

@@ -2,6 +2,7 @@
 // Waldemarson and Doggett 2024, section 6.1, ask for such a directory.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
@@ -15,7 +16,7 @@
 namespace filigree::encoding {
 
 // MapReader's functions without virtual calls; see there for ranges.
-class IndexedTreeReader {
+class FILIGREE_API IndexedTreeReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<IndexedTreeReader> open(const EncodedView& set);
@@ -43,7 +44,7 @@ class IndexedTreeReader {
 };
 
 // Encodes `maps`. ErrorKind::limit above 4 GiB - 1 of payload.
-Result<EncodedSet> encodeIndexedTree(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                                     const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeIndexedTree(std::span<const micromap::QuadtreeView> maps,
+                                                  micromap::Format format, const Executor& executor);
 
 }  // namespace filigree::encoding

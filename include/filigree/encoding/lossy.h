@@ -2,6 +2,7 @@
 // the choice and the search are in docs/spec/lossy.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -52,8 +53,9 @@ struct LossySet {
 // bytes (maxCost). No known state is ever wrong with 4-state; leaves take the side of the greater part,
 // opaque on a tie. `maps` as encode() takes them, not for Encoding::bitmask. The result does not depend on
 // the executor. ErrorKind::limit names the fewest bytes where maxBytes is out of reach; ErrorKind::cancelled.
-Result<LossySet> encodeLossy(Encoding encoding, std::span<const WeightedMap> maps, micromap::Format format,
-                             const EncodeOptions& options, const LossyGoal& goal, const Executor& executor,
-                             ProgressSink& progress);
+FILIGREE_API Result<LossySet> encodeLossy(Encoding encoding, std::span<const WeightedMap> maps,
+                                          micromap::Format format, const EncodeOptions& options,
+                                          const LossyGoal& goal, const Executor& executor,
+                                          ProgressSink& progress);
 
 }  // namespace filigree::encoding

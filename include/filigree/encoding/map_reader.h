@@ -1,6 +1,7 @@
 // One way to read micromaps in any encoding.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/quadtree.h"
@@ -15,7 +16,7 @@ namespace filigree::encoding {
 // Looks states up in a set that was checked when it was opened, so that no lookup can leave its bytes. Looks
 // into the view that it was opened from. For code where one virtual call a lookup does not matter; the
 // readers behind it (FlatReader, TreeReader, ...) have the same functions without.
-class MapReader {
+class FILIGREE_API MapReader {
   public:
     virtual ~MapReader() = default;
 
@@ -55,6 +56,6 @@ class MapReader {
 
 // Checks every byte of `set` and opens it. ErrorKind::format names the block and the byte or the map.
 // Encoding::bitmask holds no micromaps: ErrorKind::usage.
-Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set);
+FILIGREE_API Result<std::unique_ptr<MapReader>> openReader(const EncodedView& set);
 
 }  // namespace filigree::encoding

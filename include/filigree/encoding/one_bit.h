@@ -2,6 +2,7 @@
 // and Doggett 2024, section 7, ask for such modes.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/quadtree.h"
@@ -22,21 +23,21 @@ inline constexpr unsigned statePairCount = 3;
 
 // The pair that loses least of `map`: both known states where nothing is unknown, else the known state that
 // covers more; on a tie transparentUnknown where at least half is on the opaque side.
-StatePair bestPair(const micromap::QuadtreeView& map);
+FILIGREE_API StatePair bestPair(const micromap::QuadtreeView& map);
 
 // `map` in the states of `pair`: known states outside of it become unknown, and unknown ones take its side.
 // Its 2-state form (the sides) and the pair say all of it. With StatePair::transparentOpaque `map` has no
 // unknown state.
-micromap::Quadtree inPair(const micromap::QuadtreeView& map, StatePair pair);
+FILIGREE_API micromap::Quadtree inPair(const micromap::QuadtreeView& map, StatePair pair);
 
 // The way back: what a 2-state map means under `pair`.
-micromap::Quadtree fromPair(const micromap::QuadtreeView& sides, StatePair pair);
+FILIGREE_API micromap::Quadtree fromPair(const micromap::QuadtreeView& sides, StatePair pair);
 
 // Two bits for each map, map 0 lowest.
-std::vector<uint8_t> packPairs(std::span<const StatePair> pairs);
+FILIGREE_API std::vector<uint8_t> packPairs(std::span<const StatePair> pairs);
 
 // The pairs of an encoded set.
-class PairReader {
+class FILIGREE_API PairReader {
   public:
     // Checks all of `bytes` and looks into them from then on. ErrorKind::format where they are not the pairs
     // of a 2-state set of set.mapCount maps.

@@ -2,6 +2,7 @@
 // parts that occur often: docs/spec/sdag.md.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
@@ -21,7 +22,7 @@ namespace filigree::encoding {
 
 // MapReader's functions without virtual calls; see there for ranges. A lookup reads a descriptor, one node
 // for two levels above height 4, one reference, and one leaf with two small tables.
-class SdagReader {
+class FILIGREE_API SdagReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<SdagReader> open(const EncodedView& set);
@@ -263,7 +264,7 @@ class SdagReader {
 // All of `maps` as one graph. Never larger than flat, descriptors aside. With `shares` the opaque shares of
 // nodes are stored, 2 bytes a node, so that SdagReader::opaqueShare is quick at every level. ErrorKind::limit
 // above 4 GiB in one part.
-Result<EncodedSet> encodeSdag(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                              bool shares, const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeSdag(std::span<const micromap::QuadtreeView> maps,
+                                           micromap::Format format, bool shares, const Executor& executor);
 
 }  // namespace filigree::encoding

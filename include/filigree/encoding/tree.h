@@ -1,6 +1,7 @@
 // Succinct quadtrees that are read by scanning: docs/spec/tree.md. Waldemarson and Doggett 2024, section 4.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
@@ -14,7 +15,7 @@
 namespace filigree::encoding {
 
 // MapReader's functions without virtual calls; see there for ranges.
-class TreeReader {
+class FILIGREE_API TreeReader {
   public:
     // Checks all of `set` and looks into its blocks from then on.
     static Result<TreeReader> open(const EncodedView& set);
@@ -43,7 +44,7 @@ class TreeReader {
 };
 
 // Encodes `maps` (algorithms 1 and 2). ErrorKind::limit above 4 GiB - 1 of payload.
-Result<EncodedSet> encodeTree(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                              const Executor& executor);
+FILIGREE_API Result<EncodedSet> encodeTree(std::span<const micromap::QuadtreeView> maps,
+                                           micromap::Format format, const Executor& executor);
 
 }  // namespace filigree::encoding

@@ -2,6 +2,7 @@
 // and Woop 2021, section 6). Rays do without them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/vec3.h"
 #include "filigree/grid/rays.h"
 #include "filigree/grid/vertex_grid.h"
@@ -16,7 +17,7 @@
 namespace filigree::grid {
 
 // All as GridMesh has them; each list may be empty.
-struct GridAttributes {
+struct FILIGREE_API GridAttributes {
     std::vector<Diagonal> diagonals;
     std::vector<std::array<uint32_t, 3>> looseTriangles;  // where there are loose attributes
     std::vector<Vec3> normals;
@@ -33,7 +34,7 @@ struct GridAttributes {
     }
     [[nodiscard]] uint64_t bytes() const;
 };
-GridAttributes attributesOf(const GridMesh& mesh);
+FILIGREE_API GridAttributes attributesOf(const GridMesh& mesh);
 
 // Where a ray hit, in the terms of the source.
 struct SurfacePoint {
@@ -44,6 +45,7 @@ struct SurfacePoint {
     std::optional<mesh::Uv> uv;
 };
 // `hit` is one on grids of `table` that these attributes belong to.
-SurfacePoint surfaceAt(const GridAttributes& attributes, std::span<const VertexGrid> table, const Hit& hit);
+FILIGREE_API SurfacePoint surfaceAt(const GridAttributes& attributes, std::span<const VertexGrid> table,
+                                    const Hit& hit);
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 // Meshes to vertex grids (Benthin, Vaidyanathan and Woop 2021, section 3).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/vertex_grid.h"
@@ -33,6 +34,7 @@ struct ConvertOptions {
 // with fewer than three different vertices. Triangles keep their winding, not their first vertex. The same
 // answer for any executor. Fails with ErrorKind::limit above maxConvertTriangles, ErrorKind::format on
 // what mesh::check refuses.
-Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options, const Executor& executor);
+FILIGREE_API Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options,
+                                      const Executor& executor);
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 // Grids to records with a hierarchy over them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
@@ -40,20 +41,20 @@ struct GridRecords {
 // ErrorKind::unsupported where a grid's diagonals differ (ConvertOptions::uniformDiagonals). Both fail with
 // ErrorKind::format on a mesh without triangles or vertices outside the lattice, and with ErrorKind::limit
 // above 16 GiB of records. The same bytes for any executor. Progress in triangles.
-Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptions& options, const Executor& executor,
-                                  ProgressSink& progress);
+FILIGREE_API Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptions& options,
+                                               const Executor& executor, ProgressSink& progress);
 
 // Builds the hierarchy and brings the records into the order of its leaves.
-EncodedGrids buildGrids(GridRecords records, const Executor& executor);
+FILIGREE_API EncodedGrids buildGrids(GridRecords records, const Executor& executor);
 
 // Both.
-Result<EncodedGrids> encodeGrids(GridMesh& mesh, const EncodeOptions& options, const Executor& executor,
-                                 ProgressSink& progress);
+FILIGREE_API Result<EncodedGrids> encodeGrids(GridMesh& mesh, const EncodeOptions& options,
+                                              const Executor& executor, ProgressSink& progress);
 
 // A lattice whose points are floats, so fine that only floats of the greatest size could be finer: steps of
 // one power of two. All vertices of the mesh lie in its range. Fails with ErrorKind::format where there are
 // none.
-Result<Lattice> fineLattice(const GridMesh& mesh);
+FILIGREE_API Result<Lattice> fineLattice(const GridMesh& mesh);
 
 // All that is resident, by what it is for.
 struct GridBytes {
@@ -62,7 +63,7 @@ struct GridBytes {
     uint64_t clusters = 0;
     [[nodiscard]] uint64_t total() const { return geometry + bvh + clusters; }
 };
-GridBytes bytesOf(const EncodedGrids& grids);
-uint64_t clusterCount(const EncodedGrids& grids);
+FILIGREE_API GridBytes bytesOf(const EncodedGrids& grids);
+FILIGREE_API uint64_t clusterCount(const EncodedGrids& grids);
 
 }  // namespace filigree::grid

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/bvh/node.h"
+#include "filigree/core/api.h"
 #include "filigree/grid/lattice.h"
 #include "filigree/grid/paper.h"
 
@@ -17,8 +18,8 @@ enum class Codec : uint8_t {
     paper,    // 128-byte sub-grids of 5 x 5 vertices (docs/spec/paper.md)
     lattice,  // tiles of up to 16 x 16 quads (docs/spec/lattice.md)
 };
-std::string_view nameOf(Codec codec);
-std::optional<Codec> codecNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(Codec codec);
+FILIGREE_API std::optional<Codec> codecNamed(std::string_view name);
 
 // A leaf of the hierarchy is one record: a sub-grid or a tile, after the codec, or a cluster of loose
 // triangles (docs/spec/cluster.md). Records stand in the order of the leaves.

@@ -1,6 +1,7 @@
 // How far decoded vertices lie from their sources.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/grid/decode_grids.h"
 #include "filigree/grid/paper.h"
@@ -12,7 +13,7 @@
 namespace filigree::grid {
 
 // The box around all vertices, those of loose triangles included; world units.
-Box boundsOf(const GridMesh& mesh);
+FILIGREE_API Box boundsOf(const GridMesh& mesh);
 
 // Distances between decoded and source vertices, world units.
 struct VertexErrors {
@@ -29,7 +30,7 @@ struct GridErrors {
     double subGridMean = 0;
     double subGridMax = 0;
 };
-GridErrors errorsOf(const GridMesh& mesh, const DecodedGrids& decoded, const Executor& executor);
+FILIGREE_API GridErrors errorsOf(const GridMesh& mesh, const DecodedGrids& decoded, const Executor& executor);
 
 // The share of errorsOf() of each sub-grid: `columns` x `rows` of them, row by row.
 struct SubGridShares {
@@ -37,11 +38,12 @@ struct SubGridShares {
     uint32_t rows = 0;
     std::vector<float> shares;
 };
-SubGridShares subGridShares(const GridMesh& mesh, const DecodedGrids& decoded, uint32_t grid);
+FILIGREE_API SubGridShares subGridShares(const GridMesh& mesh, const DecodedGrids& decoded, uint32_t grid);
 
 // What the codec `paper` would come to on the mesh's grids, without keeping its records; whether their
 // diagonals agree does not matter. Zero where there are no grids.
-VertexErrors paperErrors(const GridMesh& mesh, DisplacementCode displacement, const Executor& executor);
+FILIGREE_API VertexErrors paperErrors(const GridMesh& mesh, DisplacementCode displacement,
+                                      const Executor& executor);
 
 // Positions that several grids, several places of a grid, or loose triangles share and that decode to
 // different points: there the surface cracks.
@@ -50,6 +52,6 @@ struct Cracks {
     uint64_t cracked = 0;  // of these, so many decode to different points
     double widest = 0;     // the largest distance between two of them, world units
 };
-Cracks cracksOf(const GridMesh& mesh, const DecodedGrids& decoded);
+FILIGREE_API Cracks cracksOf(const GridMesh& mesh, const DecodedGrids& decoded);
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 // Which lattice a mesh is snapped to: from the error that is allowed.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/lattice.h"
@@ -22,15 +23,15 @@ namespace filigree::grid {
 // No vertex lies further than `maxError`, world units, from its source, but for rounding: with n axes of the
 // one step s, sqrt(n) s / 2 is `maxError`. Fails with ErrorKind::usage unless it is positive and at most the
 // diagonal of the mesh's box.
-Result<Lattice> latticeForError(const GridMesh& mesh, double maxError);
+FILIGREE_API Result<Lattice> latticeForError(const GridMesh& mesh, double maxError);
 
 // The root mean square distance of the vertices of grids (of loose triangles, where there are no grids) is
 // measured to be `rms`, world units, or up to 0.5 % less; it may be far less where all axes are regular.
 // Fails with ErrorKind::usage like latticeForError.
-Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor);
+FILIGREE_API Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor);
 
 // positionOf(pointAt(v)) is v, to the bit, for every vertex: heightfields, quantised meshes. Fails with
 // ErrorKind::unsupported, naming a vertex, where there is no such lattice.
-Result<Lattice> losslessLattice(const GridMesh& mesh);
+FILIGREE_API Result<Lattice> losslessLattice(const GridMesh& mesh);
 
 }  // namespace filigree::grid

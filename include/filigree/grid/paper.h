@@ -2,6 +2,7 @@
 // (Benthin, Vaidyanathan and Woop 2021, section 4 and listing 1; docs/spec/paper.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/result.h"
 #include "filigree/core/vec3.h"
@@ -33,11 +34,11 @@ enum class DisplacementCode : uint8_t {
     unitVector,      // octant : 3, unit vector : 10, exponent : 6, mantissa : 5, from the top
     sharedExponent,  // octant : 3, exponent : 6, three mantissas of 5 bits, x first
 };
-std::string_view nameOf(DisplacementCode code);  // "unit-vector", "shared-exponent"
-std::optional<DisplacementCode> displacementCodeNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(DisplacementCode code);  // "unit-vector", "shared-exponent"
+FILIGREE_API std::optional<DisplacementCode> displacementCodeNamed(std::string_view name);
 
 // One for all sub-grids of a scene. Exponent field e stands for 2^(e + exponentBase - 127).
-struct PaperCode {
+struct FILIGREE_API PaperCode {
     DisplacementCode displacement = DisplacementCode::unitVector;
     uint8_t exponentBase = 96;
     bool operator==(const PaperCode&) const = default;
@@ -55,7 +56,7 @@ struct UnitVectors {
     alignas(64) std::array<float, 1024> y;
     alignas(64) std::array<float, 1024> z;
 };
-const UnitVectors& unitVectors();
+FILIGREE_API const UnitVectors& unitVectors();
 
 // Weight of the near and the far corner at vertex i of a side of `quads` quads; past its end those of the
 // end. The two mirror each other, so that an edge gives the same points run from either end.
@@ -98,28 +99,30 @@ struct PaperPlace {
 using PaperVertices = std::array<Vec3, paperSide * paperSide>;
 
 // The points of the patch, without displacements. `columns` and `rows` are 1 to 4.
-PaperVertices paperPatch(const std::array<Vec3, 4>& corners, unsigned columns, unsigned rows);
+FILIGREE_API PaperVertices paperPatch(const std::array<Vec3, 4>& corners, unsigned columns, unsigned rows);
 
 // What the codec adds to the patch for a code of 24 bits.
-Vec3 displacementOf(uint32_t code, const PaperCode& paper);
+FILIGREE_API Vec3 displacementOf(uint32_t code, const PaperCode& paper);
 
 // Any 128 bytes decode to something; meaningful where checkPaper() finds nothing.
 inline uint32_t paperSlotCode(const uint8_t* record, unsigned slot) {
     return loadLe<uint32_t>(record + paperSlotsAt + size_t{3} * slot) & 0xffffff;
 }
-std::array<Vec3, 4> paperCorners(const uint8_t* record);  // near near, far near, near far, far far
-PaperPlace paperPlace(const uint8_t* record);
-PaperVertices decodePaper(const uint8_t* record, const PaperCode& paper);
+FILIGREE_API std::array<Vec3, 4> paperCorners(
+    const uint8_t* record);  // near near, far near, near far, far far
+FILIGREE_API PaperPlace paperPlace(const uint8_t* record);
+FILIGREE_API PaperVertices decodePaper(const uint8_t* record, const PaperCode& paper);
 
 // What a record must keep so that it can be traced: sizes and place, fields that must be zero, finite
 // vertices.
-Status checkPaper(std::span<const uint8_t, paperBytes> record, const PaperCode& paper);
+FILIGREE_API Status checkPaper(std::span<const uint8_t, paperBytes> record, const PaperCode& paper);
 
 // The code whose decoded vertex, the patch point `base` plus the displacement, is nearest to `target`.
-uint32_t encodeDisplacement(const Vec3& base, const Vec3& target, const PaperCode& paper);
+FILIGREE_API uint32_t encodeDisplacement(const Vec3& base, const Vec3& target, const PaperCode& paper);
 
 // Encodes `vertices`, of which the four at the corners of the quads are kept exactly. All finite.
-std::array<uint8_t, paperBytes> encodePaper(const PaperPlace& place, const PaperVertices& vertices,
-                                            const PaperCode& paper);
+FILIGREE_API std::array<uint8_t, paperBytes> encodePaper(const PaperPlace& place,
+                                                         const PaperVertices& vertices,
+                                                         const PaperCode& paper);
 
 }  // namespace filigree::grid

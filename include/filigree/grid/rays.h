@@ -1,6 +1,7 @@
 // Rays against compressed grids.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/vec3.h"
 #include "filigree/grid/encoded_grids.h"
 
@@ -34,7 +35,7 @@ struct Hit {
 };
 
 // Traces rays on one thread; keeps a cache of decoded blocks. The same answers whatever was traced before.
-class Tracer {
+class FILIGREE_API Tracer {
   public:
     // `grids` must outlive it and have passed check() (grid/check.h).
     explicit Tracer(const EncodedGrids& grids);

@@ -1,6 +1,7 @@
 // What a conversion to grids came to.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/grid/vertex_grid.h"
 
 #include <cstdint>
@@ -15,7 +16,7 @@ struct GridSizeClass {
     uint64_t quads = 0;
 };
 
-struct GridStatistics {
+struct FILIGREE_API GridStatistics {
     uint64_t triangles = 0;
     uint64_t trianglesInGrids = 0;
     uint64_t largestGrid = 0;            // quads
@@ -28,6 +29,6 @@ struct GridStatistics {
     [[nodiscard]] double shareAtLeast(uint32_t side) const;
 };
 
-GridStatistics statisticsOf(const GridMesh& mesh);
+FILIGREE_API GridStatistics statisticsOf(const GridMesh& mesh);
 
 }  // namespace filigree::grid

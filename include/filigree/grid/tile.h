@@ -1,6 +1,7 @@
 // Tiles of the lattice codec: up to 16 x 16 quads of a grid in one record (docs/spec/lattice.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/lattice.h"
@@ -26,10 +27,10 @@ struct TilePlace {
 };
 
 // The tiles that cover grid number `grid`, row by row.
-std::vector<TilePlace> tilesOf(const VertexGrid& grid, uint32_t index);
+FILIGREE_API std::vector<TilePlace> tilesOf(const VertexGrid& grid, uint32_t index);
 
 // A tile's vertices and diagonals; what is not covered is zero.
-struct Tile {
+struct FILIGREE_API Tile {
     static constexpr unsigned side = 17;  // vertices
     TilePlace place;
     std::array<LatticePoint, side * side> points{};  // each coordinate in [0, latticeLimit)
@@ -45,18 +46,18 @@ struct Tile {
 };
 
 // The tile at `place` of a mesh whose vertices lie in the lattice's range (grid/lattice_choice.h).
-Tile snapTile(const GridMesh& mesh, const Lattice& lattice, const TilePlace& place);
+FILIGREE_API Tile snapTile(const GridMesh& mesh, const Lattice& lattice, const TilePlace& place);
 
 // Appends the tile's record, a multiple of 8 bytes; decodeTile gives the same tile again.
-void encodeTile(const Tile& tile, std::vector<uint8_t>& records);
+FILIGREE_API void encodeTile(const Tile& tile, std::vector<uint8_t>& records);
 
 // Checks the record at the start of `bytes` and all that decoding it relies on. Returns its size in bytes.
-Result<size_t> checkTile(std::span<const uint8_t> bytes);
+FILIGREE_API Result<size_t> checkTile(std::span<const uint8_t> bytes);
 
 // Of a record that passed checkTile, or that encodeTile wrote; decodeTile is the plain decoder that judges
 // the fast ones.
-size_t tileBytes(const uint8_t* record);
-TilePlace tilePlace(const uint8_t* record);
-Tile decodeTile(const uint8_t* record);
+FILIGREE_API size_t tileBytes(const uint8_t* record);
+FILIGREE_API TilePlace tilePlace(const uint8_t* record);
+FILIGREE_API Tile decodeTile(const uint8_t* record);
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 // Alpha images and the way a shader samples them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 
 #include <cstddef>
@@ -26,7 +27,7 @@ struct AlphaImage {
 };
 
 // An AlphaImage from 8-bit values, `texels` of width * height bytes.
-AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const uint8_t> texels);
+FILIGREE_API AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const uint8_t> texels);
 
 // What a sampler does with texel coordinates outside the image (glTF sampler.wrapS, wrapT).
 enum class Wrap : uint8_t { repeat, mirroredRepeat, clampToEdge };
@@ -37,7 +38,7 @@ enum class Filter : uint8_t { linear, nearest, both };
 
 // The texel index that `coordinate` reads on an axis of `size` texels, as glTF and Vulkan define the wrap
 // modes.
-uint32_t wrapTexel(int64_t coordinate, uint32_t size, Wrap wrap);
+FILIGREE_API uint32_t wrapTexel(int64_t coordinate, uint32_t size, Wrap wrap);
 
 // An alpha image with its sampler. Texture coordinates (u, v) address the point (u * width, v * height) in
 // texel space; texel (x, y) has its centre at (x + 0.5, y + 0.5).
@@ -49,18 +50,18 @@ struct AlphaTexture {
 };
 
 // Bilinear alpha at texel-space point (x, y), both finite and within +-2^40, in [0, 1].
-double sampleBilinear(const AlphaTexture& texture, double x, double y);
+FILIGREE_API double sampleBilinear(const AlphaTexture& texture, double x, double y);
 
 // Alpha of the texel that holds (x, y), in [0, 1].
-double sampleNearest(const AlphaTexture& texture, double x, double y);
+FILIGREE_API double sampleNearest(const AlphaTexture& texture, double x, double y);
 
 // The next coarser mip level by a box filter: max(1, size / 2) texels an axis. An axis of odd size 2n + 1
 // uses the three-tap weights (n - i, n, i + 1) / (2n + 1) for texel i, so that every source texel has equal
 // influence (docs/spec/bake.md). Values are rounded to the nearest 1/65535.
-AlphaImage halve(const AlphaImage& image);
+FILIGREE_API AlphaImage halve(const AlphaImage& image);
 
 // How many mip levels lie below `image`: floor(log2(max(width, height))).
-unsigned coarserLevels(const AlphaImage& image);
+FILIGREE_API unsigned coarserLevels(const AlphaImage& image);
 
 // How a filtered alpha becomes a state.
 enum class AlphaMode : uint8_t {

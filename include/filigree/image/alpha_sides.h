@@ -1,6 +1,7 @@
 // Which side of a threshold filtered alpha is on, over any convex polygon.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/image/extremes.h"
 #include "filigree/image/patch.h"
@@ -15,7 +16,7 @@ enum class Side : uint8_t { transparent, mixed, opaque };
 
 // Answers for one texture. Exact where no operation of the corners' positions rounds, and never wrong: what
 // rounding cannot tell is mixed. Calls may come from several threads at once.
-class AlphaSides {
+class FILIGREE_API AlphaSides {
   public:
     // The texture must outlive it.
     explicit AlphaSides(const AlphaTexture& texture) : texture_(&texture), extremes_(texture) {}

@@ -1,6 +1,7 @@
 // The least and greatest texel over rectangles, under any wrap mode.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ struct TexelRange {
 };
 
 // A pyramid of least and greatest texels of 2^k x 2^k blocks.
-class TexelExtremes {
+class FILIGREE_API TexelExtremes {
   public:
     // The texture must outlive the pyramid.
     explicit TexelExtremes(const AlphaTexture& texture);

@@ -1,6 +1,7 @@
 // The levels and filters at which a shader may sample a texture.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 
 #include <deque>
@@ -9,7 +10,7 @@
 namespace filigree::image {
 
 // A texture and some of its coarser mip levels.
-class MipChain {
+class FILIGREE_API MipChain {
   public:
     // Level 0 is `texture` itself, which must outlive the chain, then up to `coarser` more; the chain ends at
     // 1x1 texel.
@@ -23,6 +24,6 @@ class MipChain {
 };
 
 // The filters that `filter` stands for, each linear or nearest.
-std::vector<Filter> filtersOf(Filter filter);
+FILIGREE_API std::vector<Filter> filtersOf(Filter filter);
 
 }  // namespace filigree::image

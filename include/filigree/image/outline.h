@@ -6,6 +6,7 @@
 // patch. Cells are unwrapped: any integer pair is a cell, whatever the wrap mode.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/image/patch.h"
 #include "filigree/image/threshold.h"
@@ -21,7 +22,7 @@
 namespace filigree::image {
 
 // How unwrapped cells map to the distinct ones on an axis.
-struct CellAxis {
+struct FILIGREE_API CellAxis {
     uint32_t size = 0;  // texels
     Wrap wrap = Wrap::repeat;
     int64_t cells = 0;  // distinct cells: size (repeat), 2 size (mirrored), size + 1 (clamp)
@@ -58,7 +59,7 @@ struct OutlinePiece {
 
 struct ArcPiece;
 
-class Outline {
+class FILIGREE_API Outline {
   public:
     // `filter` must be linear or nearest. The texture must outlive the outline.
     Outline(const AlphaTexture& texture, Filter filter, const Threshold& threshold);

@@ -1,6 +1,7 @@
 // Where the lattice points of a triangle lie in the sample space of a texture.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bounded.h"
 #include "filigree/image/outline.h"
 #include "filigree/image/patch.h"
@@ -14,7 +15,7 @@ namespace filigree::image {
 // A triangle in the sample space of one texture (texel space minus a half), moved by whole periods of the
 // wrap modes to lie near the origin, which changes nothing. Lattice points are taken straight from the
 // corners, with integer weights, so that depth adds no error.
-class Placement {
+class FILIGREE_API Placement {
   public:
     // Corners in texel space, within maxTexels of the origin.
     Placement(const std::array<PatchPoint<Bounded>, 3>& texels, const CellAxis& axisX, const CellAxis& axisY);

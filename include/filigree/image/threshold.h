@@ -1,6 +1,7 @@
 // Which texels are opaque, and where between texels the side changes.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 
 #include <cstdint>
@@ -20,10 +21,10 @@ struct Threshold {
 // The thresholds under which all points of a known micro-triangle must be alike (docs/spec/bake.md).
 // `vertexAlpha` multiplies the texture's alpha, as AlphaTest::factor does. Usually one; two for blend, and
 // for a mask where a texel value meets the cutoff so closely that float and double disagree on its side.
-std::vector<Threshold> thresholdsOf(const AlphaTest& test, double vertexAlpha, uint32_t steps);
+FILIGREE_API std::vector<Threshold> thresholdsOf(const AlphaTest& test, double vertexAlpha, uint32_t steps);
 
 // The threshold that tells the greater side of an unknown micro-triangle: the mask's own; alpha 0.5 for
 // blend.
-Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t steps);
+FILIGREE_API Threshold sideThreshold(const AlphaTest& test, double vertexAlpha, uint32_t steps);
 
 }  // namespace filigree::image

@@ -1,6 +1,7 @@
 // Convex shapes widened by the guard square.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/patch.h"
 
 #include <cstdint>
@@ -18,6 +19,6 @@ struct WidenedCorner {
 
 // The corners in order of the hull of the square [-guard, guard]^2 moved to each corner of a convex shape: at
 // most four more than it has. With guard 0 the shape itself.
-std::vector<WidenedCorner> widened(std::span<const PatchPoint<double>> corners, double guard);
+FILIGREE_API std::vector<WidenedCorner> widened(std::span<const PatchPoint<double>> corners, double guard);
 
 }  // namespace filigree::image

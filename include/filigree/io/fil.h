@@ -1,6 +1,7 @@
 // The container .fil: encoded micromaps of a scene, and which asset they belong to (docs/spec/fil.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/mapped_file.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
@@ -23,10 +24,10 @@ struct FilAsset {
     std::array<uint64_t, 2> hash{};  // XXH3-128: low half, high half
     bool operator==(const FilAsset&) const = default;
 };
-Result<FilAsset> identifyAsset(const std::filesystem::path& path);
+FILIGREE_API Result<FilAsset> identifyAsset(const std::filesystem::path& path);
 
 // "6790060 bytes, hash 0123456789abcdef0123456789abcdef".
-std::string contentOf(const FilAsset& asset);
+FILIGREE_API std::string contentOf(const FilAsset& asset);
 
 // Micromaps that are written as one list when they are made flat.
 struct FilGroup {
@@ -41,7 +42,7 @@ struct FilPrimitive {
     uint32_t group = 0;  // into FilMeta::groups
 };
 
-struct FilMeta {
+struct FILIGREE_API FilMeta {
     FilAsset asset;
     std::optional<unsigned> level;  // of all micromaps, 0..maxLevel; none where they differ
     std::vector<FilGroup> groups;
@@ -52,10 +53,10 @@ struct FilMeta {
 
 // Bits that address one of `mapCount` maps or one of the four special states; 0 for Encoding::bitmask, whose
 // texture is that of the primitive's group.
-unsigned filIndexBits(encoding::Encoding encoding, uint32_t mapCount);
+FILIGREE_API unsigned filIndexBits(encoding::Encoding encoding, uint32_t mapCount);
 
 // Bytes of the indices of `triangles` triangles.
-uint64_t filIndexBytes(encoding::Encoding encoding, uint32_t mapCount, uint64_t triangles);
+FILIGREE_API uint64_t filIndexBytes(encoding::Encoding encoding, uint32_t mapCount, uint64_t triangles);
 
 // All that a file holds. The spans are not owned.
 struct FilContents {
@@ -67,10 +68,11 @@ struct FilContents {
 
 // Writes `path`, whole or not at all; same contents, same bytes. With `zstd` each section is compressed that
 // becomes smaller. Gives the size of the file in bytes.
-Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd);
+FILIGREE_API Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents,
+                                       bool zstd);
 
 // True for a file that begins as a .fil does.
-bool isFil(const std::filesystem::path& path);
+FILIGREE_API bool isFil(const std::filesystem::path& path);
 
 struct FilReadOptions {
     // The most memory that compressed sections may take together once they are plain; above it
@@ -80,7 +82,7 @@ struct FilReadOptions {
 
 // A container whose bytes agree with their hashes and whose table, meta and indices are checked in full. The
 // blocks of the set are as they come: encoding::openReader checks them.
-class FilFile {
+class FILIGREE_API FilFile {
   public:
     // Maps the file; sections that are not compressed are used in place.
     static Result<FilFile> read(const std::filesystem::path& path, const FilReadOptions& options = {});

@@ -1,6 +1,7 @@
 // Compressed grids in a .fil (docs/spec/fil.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/attributes.h"
@@ -31,18 +32,20 @@ struct FilGrids {
 };
 
 // As writeFil. `grids` must pass grid::check and grid::checkPlaces.
-Result<uint64_t> writeFilGrids(const std::filesystem::path& path, const FilGrids& grids, bool zstd);
+FILIGREE_API Result<uint64_t> writeFilGrids(const std::filesystem::path& path, const FilGrids& grids,
+                                            bool zstd);
 
 // Reads a file and checks it in full, grid::check and grid::checkPlaces included: it may be traced.
-Result<FilGrids> readFilGrids(const std::filesystem::path& path, const Executor& executor = serialExecutor(),
-                              const FilReadOptions& options = {});
+FILIGREE_API Result<FilGrids> readFilGrids(const std::filesystem::path& path,
+                                           const Executor& executor = serialExecutor(),
+                                           const FilReadOptions& options = {});
 
 // The same from memory. `name` stands for the file in errors.
-Result<FilGrids> parseFilGrids(std::span<const uint8_t> bytes, const std::string& name,
-                               const Executor& executor = serialExecutor(),
-                               const FilReadOptions& options = {});
+FILIGREE_API Result<FilGrids> parseFilGrids(std::span<const uint8_t> bytes, const std::string& name,
+                                            const Executor& executor = serialExecutor(),
+                                            const FilReadOptions& options = {});
 
 // The codec of the grids that a .fil holds; none where it holds something else or cannot be read.
-std::optional<grid::Codec> gridsIn(const std::filesystem::path& path);
+FILIGREE_API std::optional<grid::Codec> gridsIn(const std::filesystem::path& path);
 
 }  // namespace filigree::io

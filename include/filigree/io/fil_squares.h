@@ -1,6 +1,7 @@
 // Opacity squares of a scene's triangle pairs in a .fil (docs/spec/fil.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/mapped_file.h"
 #include "filigree/core/result.h"
 #include "filigree/io/fil.h"
@@ -31,10 +32,11 @@ struct FilSquares {
 };
 
 // As writeFil.
-Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSquares& squares, bool zstd);
+FILIGREE_API Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSquares& squares,
+                                              bool zstd);
 
 // Checked in full: every lookup is one then.
-class FilSquareFile {
+class FILIGREE_API FilSquareFile {
   public:
     static Result<FilSquareFile> read(const std::filesystem::path& path, const FilReadOptions& options = {});
 
@@ -66,6 +68,6 @@ class FilSquareFile {
 };
 
 // What a .fil holds: squares of that format, or none where it holds micromaps or cannot be read.
-std::optional<quadmap::SquareFormat> squaresIn(const std::filesystem::path& path);
+FILIGREE_API std::optional<quadmap::SquareFormat> squaresIn(const std::filesystem::path& path);
 
 }  // namespace filigree::io

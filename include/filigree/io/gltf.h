@@ -1,6 +1,7 @@
 // glTF 2.0 files in: a document, and the scene that it holds.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/scene/scene.h"
 
@@ -14,7 +15,7 @@ namespace filigree::io {
 
 // A .glb or .gltf file as it stands: the JSON document and its buffers. What the project does not know stays
 // in it, so that writing it again loses nothing. Buffers are held once and never copied.
-class GltfDocument {
+class FILIGREE_API GltfDocument {
   public:
     // Reads `path`, GLB or JSON by its first bytes, and the buffer files that it names. A buffer file that
     // cannot be read is an error only for what needs it. Fails on a header, chunk or buffer that is shorter
@@ -52,6 +53,6 @@ struct ReadOptions {
 // Reads the scene. Primitives of a material whose alpha matters (MASK, and BLEND with blendAlpha) must be
 // readable in full: what is wrong or unsupported there is an error that names it. Any other primitive that
 // cannot be read is left without geometry and noted. Image i of the scene is image i of the file.
-Result<scene::Scene> readScene(const GltfDocument& document, const ReadOptions& options = {});
+FILIGREE_API Result<scene::Scene> readScene(const GltfDocument& document, const ReadOptions& options = {});
 
 }  // namespace filigree::io

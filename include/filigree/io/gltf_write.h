@@ -1,6 +1,7 @@
 // glTF 2.0 files out: a document with micromaps attached (docs/spec/gltf.md).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/io/gltf.h"
@@ -42,7 +43,7 @@ struct MicromapOutput {
 // relative files, their paths made right for the new folder, and holds the new buffer itself. Micromaps that
 // a primitive had before are replaced. Fails with ErrorKind::limit where a GLB would pass 4 GiB, and with
 // ErrorKind::file.
-Status writeWithMicromaps(const GltfDocument& document, const MicromapOutput& output,
-                          const std::filesystem::path& path);
+FILIGREE_API Status writeWithMicromaps(const GltfDocument& document, const MicromapOutput& output,
+                                       const std::filesystem::path& path);
 
 }  // namespace filigree::io

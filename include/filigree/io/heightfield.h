@@ -1,6 +1,7 @@
 // Heightfields: grey PNG images as one grid.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/vertex_grid.h"
 
@@ -18,7 +19,9 @@ struct HeightfieldOptions {
 // A grey PNG of 8 or 16 bits as one grid of a vertex a texel: vertex (column, row) stands at (column * cell,
 // grey * heightScale, row * cell), diagonals are ac. The source triangles of quad q are 2 q and 2 q + 1. An
 // image with a side of one texel is refused, as are options outside their range (ErrorKind::usage).
-Result<grid::GridMesh> parseHeightfield(std::span<const uint8_t> png, const HeightfieldOptions& options);
-Result<grid::GridMesh> readHeightfield(const std::filesystem::path& path, const HeightfieldOptions& options);
+FILIGREE_API Result<grid::GridMesh> parseHeightfield(std::span<const uint8_t> png,
+                                                     const HeightfieldOptions& options);
+FILIGREE_API Result<grid::GridMesh> readHeightfield(const std::filesystem::path& path,
+                                                    const HeightfieldOptions& options);
 
 }  // namespace filigree::io

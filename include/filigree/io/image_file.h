@@ -1,6 +1,7 @@
 // PNG and JPEG images in, PNG out.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/scene/scene.h"
@@ -19,10 +20,10 @@ inline constexpr uint64_t maxImageTexels = uint64_t{1} << 28;
 
 // What the first bytes of an image say. The last two are named in errors, not read.
 enum class ImageKind : uint8_t { unknown, png, jpeg, ktx2, webp };
-ImageKind imageKind(std::span<const uint8_t> bytes);
+FILIGREE_API ImageKind imageKind(std::span<const uint8_t> bytes);
 
 // The MIME type of a kind, empty for unknown.
-std::string_view mimeType(ImageKind kind);
+FILIGREE_API std::string_view mimeType(ImageKind kind);
 
 // Width and height of a PNG or JPEG in texels, from its header.
 struct ImageSize {
@@ -30,24 +31,26 @@ struct ImageSize {
     uint32_t height = 0;
     [[nodiscard]] uint64_t texels() const { return uint64_t{width} * height; }
 };
-Result<ImageSize> imageSize(std::span<const uint8_t> bytes);
+FILIGREE_API Result<ImageSize> imageSize(std::span<const uint8_t> bytes);
 
 // A PNG or JPEG as 8-bit colour. 16-bit PNGs lose their low bits.
-Result<scene::ColourImage> decodePng(std::span<const uint8_t> bytes);
-Result<scene::ColourImage> decodeJpeg(std::span<const uint8_t> bytes);
-Result<scene::ColourImage> decodeImage(std::span<const uint8_t> bytes);
+FILIGREE_API Result<scene::ColourImage> decodePng(std::span<const uint8_t> bytes);
+FILIGREE_API Result<scene::ColourImage> decodeJpeg(std::span<const uint8_t> bytes);
+FILIGREE_API Result<scene::ColourImage> decodeImage(std::span<const uint8_t> bytes);
 
 // The alpha that a shader sees: exact for PNG at 8 or 16 bits, from an alpha channel or a tRNS chunk; 1
 // everywhere for a PNG with neither and for JPEG, of which then only the header is read.
-Result<image::AlphaImage> decodeAlpha(std::span<const uint8_t> bytes);
+FILIGREE_API Result<image::AlphaImage> decodeAlpha(std::span<const uint8_t> bytes);
 
 // A PNG file as an alpha image: its alpha where it has any, otherwise its grey. Colour without alpha is an
 // error.
-Result<image::AlphaImage> readAlphaImage(const std::filesystem::path& path);
+FILIGREE_API Result<image::AlphaImage> readAlphaImage(const std::filesystem::path& path);
 
 // PNG files. Same input, same bytes. The spans hold width * height values, row by row.
-Result<std::vector<uint8_t>> encodePng(const scene::ColourImage& image);
-Result<std::vector<uint8_t>> encodeGreyPng(uint32_t width, uint32_t height, std::span<const uint8_t> texels);
-Result<std::vector<uint8_t>> encodeGreyPng(uint32_t width, uint32_t height, std::span<const uint16_t> texels);
+FILIGREE_API Result<std::vector<uint8_t>> encodePng(const scene::ColourImage& image);
+FILIGREE_API Result<std::vector<uint8_t>> encodeGreyPng(uint32_t width, uint32_t height,
+                                                        std::span<const uint8_t> texels);
+FILIGREE_API Result<std::vector<uint8_t>> encodeGreyPng(uint32_t width, uint32_t height,
+                                                        std::span<const uint16_t> texels);
 
 }  // namespace filigree::io

@@ -1,6 +1,7 @@
 // PLY files (Stanford polygon format 1.0) as meshes.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/mesh/face_mesh.h"
 
@@ -16,7 +17,7 @@ namespace filigree::io {
 // their first corner, those of fewer than three are errors. Other elements and properties are passed over.
 // Texture coordinates of the file have their origin at the lower left; those of the mesh are the same
 // numbers. Errors name the line of the header or the element with its number.
-Result<mesh::FaceMesh> parsePly(std::span<const uint8_t> bytes);
-Result<mesh::FaceMesh> readPly(const std::filesystem::path& path);
+FILIGREE_API Result<mesh::FaceMesh> parsePly(std::span<const uint8_t> bytes);
+FILIGREE_API Result<mesh::FaceMesh> readPly(const std::filesystem::path& path);
 
 }  // namespace filigree::io

@@ -1,6 +1,7 @@
 // Triangles and quads over shared vertices, as mesh files hold them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/core/vec3.h"
 #include "filigree/mesh/uv_triangle.h"
@@ -21,7 +22,7 @@ constexpr bool isQuad(const Face& face) {
 }
 
 // Source triangles are numbered in the order of the faces, a quad's two one after the other.
-struct FaceMesh {
+struct FILIGREE_API FaceMesh {
     std::vector<Vec3> positions;  // [vertex_count], world units, finite
     std::vector<Face> faces;      // each vertex below vertex_count
     std::vector<Vec3> normals;    // [vertex_count], or empty
@@ -31,6 +32,6 @@ struct FaceMesh {
 };
 
 // What the comments above promise. The error names the first vertex or face that breaks it.
-Status check(const FaceMesh& mesh);
+FILIGREE_API Status check(const FaceMesh& mesh);
 
 }  // namespace filigree::mesh

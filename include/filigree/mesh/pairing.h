@@ -2,6 +2,7 @@
 // 3).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/mesh/uv_triangle.h"
 
 #include <array>
@@ -49,6 +50,6 @@ std::array<Vertex, 3> inOrder(const std::array<Vertex, 3>& vertices, const Paire
 // steps of 1/255 (maximum weight matching, Edmonds 1965). Edges without length or with a coordinate that is
 // not finite are passed over. Where more than eight triangles meet in one edge, each may pair with the eight
 // next ones there alone. Same input, same pairs.
-std::vector<TrianglePair> pairTriangles(const PairingInput& input);
+FILIGREE_API std::vector<TrianglePair> pairTriangles(const PairingInput& input);
 
 }  // namespace filigree::mesh

@@ -1,6 +1,8 @@
 // A triangle as an opacity micromap sees it.
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <array>
 
 namespace filigree::mesh {
@@ -19,6 +21,6 @@ struct UvTriangle {
 };
 
 // True when no texture coordinate is NaN or infinite.
-bool isFinite(const UvTriangle& triangle);
+FILIGREE_API bool isFinite(const UvTriangle& triangle);
 
 }  // namespace filigree::mesh

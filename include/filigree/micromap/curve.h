@@ -1,6 +1,8 @@
 // The order of micro-triangles: the space-filling curve of VK_KHR_opacity_micromap ("bird curve").
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -31,7 +33,7 @@ constexpr std::array<LatticePoint, 3> corners(LatticeTriangle t) {
 }
 
 // Curve index of a micro-triangle at `level`, 0..15. The triangle must lie in the lattice.
-uint32_t curveIndex(LatticeTriangle triangle, unsigned level);
+FILIGREE_API uint32_t curveIndex(LatticeTriangle triangle, unsigned level);
 
 // Integer coordinates of a micro-triangle as the reference function of VK_KHR_opacity_micromap takes them:
 // the barycentrics times 2^level, rounded down; the low `level` bits of `w` make u + v + w = -1, or -2 where

@@ -2,6 +2,7 @@
 // leaf, so a level-12 micromap costs what its outline costs.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/bits.h"
 #include "filigree/micromap/state.h"
 
@@ -24,16 +25,16 @@ struct QuadtreeView {
 };
 
 // True when all of a quadtree is one leaf.
-bool isUniform(const QuadtreeView& tree);
+FILIGREE_API bool isUniform(const QuadtreeView& tree);
 
 // The state of a uniform quadtree.
-State uniformState(const QuadtreeView& tree);
+FILIGREE_API State uniformState(const QuadtreeView& tree);
 
 // True when both hold the same states at the same level.
-bool equal(const QuadtreeView& a, const QuadtreeView& b);
+FILIGREE_API bool equal(const QuadtreeView& a, const QuadtreeView& b);
 
 // A hash of level and states, the same on every machine.
-uint64_t hash(const QuadtreeView& tree);
+FILIGREE_API uint64_t hash(const QuadtreeView& tree);
 
 // Calls leaf(first, depth, state) for each leaf in curve order: it covers the 4^(level - depth)
 // micro-triangles from curve index `first` on.
@@ -57,21 +58,21 @@ void forEachLeaf(const QuadtreeView& tree, Leaf&& leaf) {
 
 // Writes the flat micromap: flatBytes(level, format) bytes at `to`, one state after another in curve order,
 // least significant bits first, by filling runs. 2-state keeps bit 0 of each state.
-void writeFlat(const QuadtreeView& tree, Format format, std::span<uint8_t> to);
+FILIGREE_API void writeFlat(const QuadtreeView& tree, Format format, std::span<uint8_t> to);
 
 // The quadtree of a flat micromap of flatBytes(level, format) bytes. Spare bits of the last byte are ignored.
 class Quadtree;
-Quadtree quadtreeFromFlat(std::span<const uint8_t> flat, unsigned level, Format format);
+FILIGREE_API Quadtree quadtreeFromFlat(std::span<const uint8_t> flat, unsigned level, Format format);
 
 // The same micromap at a coarser level, 0 <= level <= tree.level: a micro-triangle is known where all it
 // covers is known alike. The opaque side of an unknown one is that of the greater part, opaque on a tie.
-Quadtree coarsened(const QuadtreeView& tree, unsigned level, Format format = Format::fourState);
+FILIGREE_API Quadtree coarsened(const QuadtreeView& tree, unsigned level, Format format = Format::fourState);
 
 // An order of a triangle's vertices: new vertex k is old vertex order[k].
 using VertexOrder = std::array<uint8_t, 3>;
 
 // The micromap of the same triangle with its vertices in another order.
-Quadtree permuted(const QuadtreeView& tree, const VertexOrder& order);
+FILIGREE_API Quadtree permuted(const QuadtreeView& tree, const VertexOrder& order);
 
 // How many micro-triangles have each state, by State.
 struct StateCounts {
@@ -82,7 +83,7 @@ struct StateCounts {
         for (size_t s = 0; s < 4; ++s) of[s] += other.of[s];
     }
 };
-StateCounts countStates(const QuadtreeView& tree);
+FILIGREE_API StateCounts countStates(const QuadtreeView& tree);
 
 // One micromap that owns its stream.
 class Quadtree {
@@ -97,7 +98,7 @@ class Quadtree {
 };
 
 // Many micromaps in one block of memory.
-class QuadtreeList {
+class FILIGREE_API QuadtreeList {
   public:
     void push(const QuadtreeView& tree);
     [[nodiscard]] size_t size() const { return entries_.size(); }

@@ -1,6 +1,7 @@
 // Sets of micromaps for the triangles of a mesh: as quadtrees, and flat as the APIs take them.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/micromap/quadtree.h"
@@ -42,24 +43,24 @@ struct FlatSet {
 };
 
 // One entry for each (level, format) that occurs, by rising level, then format.
-std::vector<UsageCount> usageCounts(const std::vector<Record>& records);
+FILIGREE_API std::vector<UsageCount> usageCounts(const std::vector<Record>& records);
 
 // Bytes of data that flatten() would write.
-uint64_t flatDataBytes(const TreeSet& set);
+FILIGREE_API uint64_t flatDataBytes(const TreeSet& set);
 
 // The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of
 // the 32-bit offsets.
-Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor());
+FILIGREE_API Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor());
 
 // Gives a set without records one that no index names: lists of micromaps may not be empty in glTF and
 // Vulkan, even where every index is special.
-void ensureOneRecord(FlatSet& set, Format format);
+FILIGREE_API void ensureOneRecord(FlatSet& set, Format format);
 
 // Bytes of the smallest unsigned type that holds all `indices`, special ones in two's complement: 1, 2 or 4.
 // An n-bit type holds records below 2^n - 4, so that no record reads as special.
-size_t indexBytes(std::span<const int32_t> indices);
+FILIGREE_API size_t indexBytes(std::span<const int32_t> indices);
 
 // The four-state value of micro-triangle `index` of a flat record. 2-state gives transparent or opaque.
-State flatState(const FlatSet& set, const Record& record, uint64_t index);
+FILIGREE_API State flatState(const FlatSet& set, const Record& record, uint64_t index);
 
 }  // namespace filigree::micromap

@@ -2,6 +2,7 @@
 // source, or free there. Same square, same block.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/quadmap/square.h"
 #include "filigree/quadmap/vq2.h"
 #include "filigree/quadmap/vq4.h"
@@ -27,10 +28,10 @@ constexpr Weights weightsOf(Prefer prefer) {
 enum class Vq2Method : uint8_t { paperLiteral, paperSensible, best };
 
 // A square of side 16 as VQ2.
-Vq2Block encodeVq2(const Square& square, Vq2Method method, Prefer prefer = Prefer::neither);
+FILIGREE_API Vq2Block encodeVq2(const Square& square, Vq2Method method, Prefer prefer = Prefer::neither);
 
 // A square of side 16 as VQ2+, optimal over all transforms, codebooks and readings.
-Vq2Block encodeVq2Plus(const Square& square, Prefer prefer = Prefer::neither);
+FILIGREE_API Vq2Block encodeVq2Plus(const Square& square, Prefer prefer = Prefer::neither);
 
 // `paper` is algorithm 2. `fast` and `best` choose words among the intersections of two vectors each, swap
 // them while that helps, and follow one or several books as quadrants join; `best` then perturbs what it
@@ -38,7 +39,7 @@ Vq2Block encodeVq2Plus(const Square& square, Prefer prefer = Prefer::neither);
 enum class Vq4Method : uint8_t { paper, fast, best };
 
 // A square of side 32 as VQ4 or VQ4+.
-Vq4Block encodeVq4(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
-Vq4Block encodeVq4Plus(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
+FILIGREE_API Vq4Block encodeVq4(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
+FILIGREE_API Vq4Block encodeVq4Plus(const Square& square, Vq4Method method, Prefer prefer = Prefer::neither);
 
 }  // namespace filigree::quadmap

@@ -1,6 +1,7 @@
 // Arrays of encoded squares, looked up where a ray hits their pairs of triangles.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/quadmap/place.h"
 #include "filigree/quadmap/square.h"
@@ -16,12 +17,12 @@ namespace filigree::quadmap {
 enum class SquareFormat : uint8_t { vq2, vq2Plus, vq4, vq4Plus, raw16, raw32 };
 inline constexpr unsigned squareFormatCount = 6;
 
-std::string_view nameOf(SquareFormat format);  // "vq2", "vq2+", "vq4", "vq4+", "raw16", "raw32"
-unsigned sideOf(SquareFormat format);          // regions along an edge
-size_t blockBytesOf(SquareFormat format);      // bytes of a map
+FILIGREE_API std::string_view nameOf(SquareFormat format);  // "vq2", "vq2+", "vq4", "vq4+", "raw16", "raw32"
+FILIGREE_API unsigned sideOf(SquareFormat format);          // regions along an edge
+FILIGREE_API size_t blockBytesOf(SquareFormat format);      // bytes of a map
 
 // Maps one after the other, without gaps. Views memory that must outlive it. Lookups check nothing.
-class SquareReader {
+class FILIGREE_API SquareReader {
   public:
     // Fails with ErrorKind::format where the bytes are no whole number of maps, and for a raw region of
     // value 3. In the other formats all bits are maps.
@@ -57,6 +58,6 @@ class SquareReader {
 };
 
 // A square as a raw map of side * side / 4 bytes; free regions become mixed.
-void encodeRaw(const Square& square, std::span<uint8_t> block);
+FILIGREE_API void encodeRaw(const Square& square, std::span<uint8_t> block);
 
 }  // namespace filigree::quadmap

@@ -1,6 +1,8 @@
 // Three-state opacity maps of squares: one for each pair of triangles (Fenney and Ozkan 2023).
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -39,12 +41,12 @@ struct Square {
 
 // Alpha tests that the map saves: the share of transparent and opaque regions among those that are not free,
 // 0..1; 0 where all are free (section 4.3 of the paper).
-double savings(const Square& square);
+FILIGREE_API double savings(const Square& square);
 
 // The regions that are transparent or opaque in `source` and mixed in `map`, of the same side.
-uint32_t substitutions(const Square& source, const Square& map);
+FILIGREE_API uint32_t substitutions(const Square& source, const Square& map);
 
 // True when every transparent or opaque region of `map` is the same, or free, in `source`.
-bool isConservative(const Square& source, const Square& map);
+FILIGREE_API bool isConservative(const Square& source, const Square& map);
 
 }  // namespace filigree::quadmap

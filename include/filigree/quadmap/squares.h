@@ -1,6 +1,7 @@
 // From alpha textures to three-state squares: what is known of each region, for certain.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/quadmap/place.h"
@@ -25,7 +26,7 @@ struct Crop {
 };
 
 // The smallest rectangle that holds every texel of alpha above 0, none where there is none.
-std::optional<Crop> visibleCrop(const image::AlphaImage& image);
+FILIGREE_API std::optional<Crop> visibleCrop(const image::AlphaImage& image);
 
 // A triangle as one half of a square, its vertices as place.h wants them: vertex 0 opposite the shared edge.
 using HalfTriangle = mesh::UvTriangle;
@@ -34,7 +35,7 @@ using HalfTriangle = mesh::UvTriangle;
 // widened by the test's guard, is certainly on one side, at every filter and mip level asked for
 // (docs/spec/bake.md); exact for a constant vertex alpha, bounded for a varying one. Calls may come from
 // several threads at once.
-class SquareMaker {
+class FILIGREE_API SquareMaker {
   public:
     // `texture` must outlive it. `test` must hold finite numbers >= 0.
     SquareMaker(const image::AlphaTexture& texture, const image::AlphaTest& test);
@@ -61,6 +62,6 @@ class SquareMaker {
 
 // The same square with half the side, which must be even. Known regions are those of which all four parts are
 // free or alike; so it is the square that SquareMaker makes with half the side.
-Square halved(const Square& square);
+FILIGREE_API Square halved(const Square& square);
 
 }  // namespace filigree::quadmap

@@ -1,6 +1,7 @@
 // VQ2 and VQ2+: squares of 16 x 16 regions in 256 bits (docs/spec/vq2.md; Fenney and Ozkan 2023, section 4).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/quadmap/square.h"
 #include "filigree/quadmap/transform.h"
 
@@ -31,15 +32,15 @@ struct Vq2 {
 };
 
 // All 256-bit patterns are blocks, and pack(unpack(block)) is the block.
-Vq2Block pack(const Vq2& map);
-Vq2 unpackVq2(Vq2View block);
+FILIGREE_API Vq2Block pack(const Vq2& map);
+FILIGREE_API Vq2 unpackVq2(Vq2View block);
 
 // The region in column x and row y, both 0..15, read as VQ2 or as VQ2+.
-Region vq2Region(Vq2View block, unsigned x, unsigned y);
-Region vq2PlusRegion(Vq2View block, unsigned x, unsigned y);
+FILIGREE_API Region vq2Region(Vq2View block, unsigned x, unsigned y);
+FILIGREE_API Region vq2PlusRegion(Vq2View block, unsigned x, unsigned y);
 // The bits that this reads (docs/spec/bits-read.md).
-unsigned vq2BitsRead(Vq2View block, unsigned x, unsigned y);
-unsigned vq2PlusBitsRead(Vq2View block, unsigned x, unsigned y);
+FILIGREE_API unsigned vq2BitsRead(Vq2View block, unsigned x, unsigned y);
+FILIGREE_API unsigned vq2PlusBitsRead(Vq2View block, unsigned x, unsigned y);
 
 // In VQ2+ the order of words is a message: what a quadrant makes of it.
 struct Vq2PlusReading {
@@ -47,6 +48,6 @@ struct Vq2PlusReading {
     uint8_t index = 0;       // which: 0 or 2
     Transform rotation = 0;  // of that word, before the quadrant's transform
 };
-Vq2PlusReading vq2PlusReading(const Vq2& map, unsigned quadrant);
+FILIGREE_API Vq2PlusReading vq2PlusReading(const Vq2& map, unsigned quadrant);
 
 }  // namespace filigree::quadmap

@@ -1,6 +1,7 @@
 // VQ4 and VQ4+: squares of 32 x 32 regions in 512 bits (docs/spec/vq4.md; Fenney and Ozkan 2023, section 5).
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/quadmap/square.h"
 #include "filigree/quadmap/transform.h"
 
@@ -36,7 +37,7 @@ inline constexpr unsigned word4Count = 13;
 enum class Vq4Layout : uint8_t { vq4, vq4Plus };
 
 // Kinds of the words of indices 3..15.
-const std::array<Word4Kind, word4Count>& word4Kinds(Vq4Layout layout);
+FILIGREE_API const std::array<Word4Kind, word4Count>& word4Kinds(Vq4Layout layout);
 
 // The group of vectors, sharing a transform, that vector x, y of the 8 x 8 belongs to: in VQ4 the quadrant, 0
 // top left, 1 top right, 2 bottom left, 3 bottom right; in VQ4+ twice that, and 1 more in its lower half.
@@ -58,12 +59,12 @@ struct Vq4 {
 
 // All 512-bit patterns are blocks, and pack(unpackVq4(block)) is the block. Palettes that a word's kind
 // cannot hold are misuse.
-Vq4Block pack(const Vq4& map, Vq4Layout layout);
-Vq4 unpackVq4(Vq4View block, Vq4Layout layout);
+FILIGREE_API Vq4Block pack(const Vq4& map, Vq4Layout layout);
+FILIGREE_API Vq4 unpackVq4(Vq4View block, Vq4Layout layout);
 
 // The region in column x and row y, both 0..31.
-Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
+FILIGREE_API Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
 // The bits that this reads (docs/spec/bits-read.md).
-unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
+FILIGREE_API unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y);
 
 }  // namespace filigree::quadmap

@@ -1,6 +1,7 @@
 // Rays through the pixels of a picture.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/vec3.h"
 #include "filigree/scene/scene.h"
 
@@ -8,7 +9,7 @@
 
 namespace filigree::scene {
 
-class CameraRays {
+class FILIGREE_API CameraRays {
   public:
     CameraRays(const Camera& camera, uint32_t width, uint32_t height);
 

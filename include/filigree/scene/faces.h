@@ -1,6 +1,7 @@
 // The triangles of a scene in one mesh.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/mesh/face_mesh.h"
 #include "filigree/scene/scene.h"
@@ -18,6 +19,6 @@ struct SceneFaces {
 // the primitives. Where an instance mirrors, the second and third vertex change places, so that front stays
 // front. Fails where a placed vertex is not finite (the error names mesh and primitive), and at 2^32
 // vertices.
-Result<SceneFaces> opaqueFaces(const Scene& scene);
+FILIGREE_API Result<SceneFaces> opaqueFaces(const Scene& scene);
 
 }  // namespace filigree::scene

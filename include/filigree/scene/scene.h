@@ -1,6 +1,7 @@
 // What a file holds, in the form that the other rooms need.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/image/alpha_image.h"
 #include "filigree/mesh/uv_triangle.h"
 #include "filigree/micromap/set.h"
@@ -103,6 +104,6 @@ struct Scene {
 
 // World area of each triangle of a primitive, summed over all instances of its mesh, [triangle_count], in
 // square world units. Triangles that are not finite count as 0.
-std::vector<double> worldAreas(const Scene& scene, const Primitive& primitive);
+FILIGREE_API std::vector<double> worldAreas(const Scene& scene, const Primitive& primitive);
 
 }  // namespace filigree::scene

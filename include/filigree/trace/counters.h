@@ -1,6 +1,8 @@
 // What rays cost.
 #pragma once
 
+#include "filigree/core/api.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,7 @@ namespace filigree::trace {
 
 enum class RayKind : uint8_t { primary, shadow, ao, bounce };
 inline constexpr size_t rayKindCount = 4;
-std::string_view nameOf(RayKind kind);
+FILIGREE_API std::string_view nameOf(RayKind kind);
 
 // Counts of one kind of rays.
 struct RayCounts {

@@ -1,6 +1,7 @@
 // The same grids under Embree, uncompressed: what compressed grids are measured against.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/rays.h"
 #include "filigree/grid/vertex_grid.h"
@@ -21,8 +22,8 @@ enum class EmbreeLayout : uint8_t {
     gridsCompact,      // the same with RTC_SCENE_FLAG_COMPACT
 };
 inline constexpr size_t embreeLayoutCount = 5;
-std::string_view nameOf(EmbreeLayout layout);
-std::optional<EmbreeLayout> embreeLayoutNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(EmbreeLayout layout);
+FILIGREE_API std::optional<EmbreeLayout> embreeLayoutNamed(std::string_view name);
 
 struct EmbreeOptions {
     bool robust = false;   // RTC_SCENE_FLAG_ROBUST
@@ -39,7 +40,7 @@ struct EmbreeHit {
 
 // Each quad of a triangle mesh has its own diagonal. Grids have one each, which most of their quads have; an
 // Embree grid's diagonal runs from b to d (grid/vertex_grid.h), so grids of the other are laid out mirrored.
-class EmbreeGrids {
+class FILIGREE_API EmbreeGrids {
   public:
     // ErrorKind::limit when Embree runs out of memory.
     static Result<EmbreeGrids> build(const grid::GridMesh& mesh, EmbreeLayout layout,

@@ -1,6 +1,7 @@
 // Compressed grids as a part of a world.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/vec3.h"
 #include "filigree/grid/attributes.h"
@@ -26,6 +27,6 @@ struct GridPart {
 };
 
 // Around all of it, up to the rounding of the hierarchy's boxes.
-Box boundsOf(const GridPart& part);
+FILIGREE_API Box boundsOf(const GridPart& part);
 
 }  // namespace filigree::trace

@@ -1,6 +1,7 @@
 // Rays to measure grids with.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/grid/rays.h"
 #include "filigree/scene/scene.h"
@@ -12,7 +13,7 @@
 namespace filigree::trace {
 
 // A camera that sees all of a box, from a little above, for a picture `aspect` times as wide as high.
-scene::Camera overviewOf(const Box& box, float aspect);
+FILIGREE_API scene::Camera overviewOf(const Box& box, float aspect);
 
 // One ray through the middle of each pixel, tile by tile, and what follows where it hits.
 struct GridRaySets {
@@ -31,7 +32,7 @@ struct GridRayOptions {
 };
 
 // `reference` gives the primary hits; `bounds` are those of what it holds.
-GridRaySets gridRaySets(const EmbreeGrids& reference, const Box& bounds, const scene::Camera& camera,
-                        const GridRayOptions& options);
+FILIGREE_API GridRaySets gridRaySets(const EmbreeGrids& reference, const Box& bounds,
+                                     const scene::Camera& camera, const GridRayOptions& options);
 
 }  // namespace filigree::trace

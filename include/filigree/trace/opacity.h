@@ -1,6 +1,7 @@
 // The ways to decide a candidate hit with a surface that has holes.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/quadmap/place.h"
@@ -36,13 +37,13 @@ enum class Method : uint8_t {
 inline constexpr size_t methodCount = 13;
 
 // The names of the command line.
-std::string_view nameOf(Method method);
-std::optional<Method> methodNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(Method method);
+FILIGREE_API std::optional<Method> methodNamed(std::string_view name);
 
 // The encoding of micromaps, or of bitmasks, that a method reads, if it reads one.
-std::optional<encoding::Encoding> encodingOf(Method method);
+FILIGREE_API std::optional<encoding::Encoding> encodingOf(Method method);
 // The format of squares that a method reads, if it reads squares.
-std::optional<quadmap::SquareFormat> squareFormatOf(Method method);
+FILIGREE_API std::optional<quadmap::SquareFormat> squareFormatOf(Method method);
 
 // What a method knows of a surface.
 struct SurfaceMaps {
@@ -61,7 +62,7 @@ struct SurfaceSquares {
 };
 
 // A method with its data, which it looks into.
-class Opacity {
+class FILIGREE_API Opacity {
   public:
     // `states` 4: unknown states fetch the texture. 2: their side decides, and nothing is fetched where there
     // is a state. `surfaces` by surface of `world`, both of which must outlive this; not needed by `none` and

@@ -1,6 +1,7 @@
 // The rays of a picture, to be cast again: what a method costs without the shading around it.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/vec3.h"
 #include "filigree/trace/counters.h"
 #include "filigree/trace/opacity.h"
@@ -23,7 +24,8 @@ struct Ray {
 };
 
 // All rays of one sample of every pixel, tile by tile as one thread casts them. `settings` must be checked.
-std::vector<Ray> raysOf(const World& world, const Opacity& opacity, const RenderSettings& settings);
+FILIGREE_API std::vector<Ray> raysOf(const World& world, const Opacity& opacity,
+                                     const RenderSettings& settings);
 
 // What some rays found, to compare methods by.
 struct CastSummary {
@@ -33,8 +35,8 @@ struct CastSummary {
 
 // Casts rays one after another on this thread and counts what they cost. Bits read are counted on request,
 // which takes time.
-CastSummary castRays(const World& world, const Opacity& opacity, std::span<const Ray> rays,
-                     bool countBitsRead, Counters& counters);
+FILIGREE_API CastSummary castRays(const World& world, const Opacity& opacity, std::span<const Ray> rays,
+                                  bool countBitsRead, Counters& counters);
 
 // A candidate hit that an alpha test decides.
 struct CandidateHit {
@@ -45,6 +47,6 @@ struct CandidateHit {
 };
 
 // All candidates that `rays` meet where the texture decides each, in the order of the tests.
-std::vector<CandidateHit> candidateHits(const World& world, std::span<const Ray> rays);
+FILIGREE_API std::vector<CandidateHit> candidateHits(const World& world, std::span<const Ray> rays);
 
 }  // namespace filigree::trace

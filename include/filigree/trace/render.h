@@ -1,6 +1,7 @@
 // Pictures of a world, sample by sample.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -23,8 +24,8 @@ enum class Integrator : uint8_t {
     ao,       // ambient occlusion: cosine-weighted rays of limited length
     path,     // diffuse paths under sky and sun
 };
-std::string_view nameOf(Integrator integrator);
-std::optional<Integrator> integratorNamed(std::string_view name);
+FILIGREE_API std::string_view nameOf(Integrator integrator);
+FILIGREE_API std::optional<Integrator> integratorNamed(std::string_view name);
 
 struct RenderSettings {
     uint32_t width = 960;   // pixels, 1..maxPictureSide
@@ -61,29 +62,29 @@ struct Film {
 };
 
 // ErrorKind::usage when a side is out of range.
-Status checkSize(uint32_t width, uint32_t height);
+FILIGREE_API Status checkSize(uint32_t width, uint32_t height);
 
 // ErrorKind::usage when settings are out of range.
-Status check(const RenderSettings& settings);
+FILIGREE_API Status check(const RenderSettings& settings);
 
 // World units: how far rays start off the surfaces of a world, and how far AO rays reach.
-float rayEpsilon(const World& world);
-float aoDistanceOf(const RenderSettings& settings, const World& world);
+FILIGREE_API float rayEpsilon(const World& world);
+FILIGREE_API float aoDistanceOf(const RenderSettings& settings, const World& world);
 
 // Adds one more sample of every pixel to `film`; progress advances by pixels. The film depends on the world,
 // the opacity's answers, the settings and how many samples it has had, not on the executor. False when
 // cancelled; the film is no use then.
-bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
-               const Executor& executor, ProgressSink& progress, Film& film);
+FILIGREE_API bool addSample(const World& world, const Opacity& opacity, const RenderSettings& settings,
+                            const Executor& executor, ProgressSink& progress, Film& film);
 
 // The mean as 8-bit sRGB, tone-mapped as 1 - exp(-x); dark pictures are brightened, up to twelve times.
-scene::ColourImage developed(const Film& film);
+FILIGREE_API scene::ColourImage developed(const Film& film);
 
 // A sensible camera when a file has none, for a picture `aspect` times as wide as high: all of the world from
 // outside, from where most is to be seen; from within where no surface with holes shows outside.
-scene::Camera overview(const World& world, float aspect = 16.0F / 9);
+FILIGREE_API scene::Camera overview(const World& world, float aspect = 16.0F / 9);
 
 // A camera at `eye` that looks at `target`; `fov` is vertical, in radians.
-scene::Camera lookAt(const Vec3& eye, const Vec3& target, const Vec3& up, float fov);
+FILIGREE_API scene::Camera lookAt(const Vec3& eye, const Vec3& target, const Vec3& up, float fov);
 
 }  // namespace filigree::trace

@@ -1,6 +1,7 @@
 // A scene ready to be traced: its geometry under Embree, its alpha textures beside it.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/result.h"
 #include "filigree/scene/scene.h"
@@ -29,7 +30,7 @@ struct WorldOptions {
 // numbered over all meshes in scene order, primitives without triangles left out. Vertices that are not
 // finite drop their triangle, and transforms that are not, have no inverse or lead further than 10^8 units
 // drop their instance, with a note.
-class World {
+class FILIGREE_API World {
   public:
     // `scene` must outlive the world; its images need their colour and alpha decoded
     // (io::ReadOptions::colour, blendAlpha). ErrorKind::limit when Embree runs out of memory.

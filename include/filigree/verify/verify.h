@@ -1,6 +1,7 @@
 // The independent judge of micromaps: shares no classification code with the baker.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -55,7 +56,7 @@ struct DeepSettings {
 
 // Judges micro-triangles over one texture under one test. Keeps a reference to `texture`. `test` must hold
 // finite numbers >= 0. Calls may come from several threads at once.
-class Judge {
+class FILIGREE_API Judge {
   public:
     Judge(const image::AlphaTexture& texture, const image::AlphaTest& test);
     ~Judge();
@@ -71,21 +72,23 @@ class Judge {
 };
 
 // Judge::truth for a single question: reads the whole texture first.
-Truth truthOf(const mesh::UvTriangle& triangle, unsigned level, uint64_t microTriangle,
-              const image::AlphaTexture& texture, const image::AlphaTest& test);
+FILIGREE_API Truth truthOf(const mesh::UvTriangle& triangle, unsigned level, uint64_t microTriangle,
+                           const image::AlphaTexture& texture, const image::AlphaTest& test);
 
 // The share of the unwidened micro-triangle that is opaque at mip level 0, from samplesPerAxis^2 evenly
 // spread samples; linear filtering unless the texture asks for nearest alone. For blend the share with alpha
 // >= 1/2.
-double opaqueShare(const mesh::UvTriangle& triangle, unsigned level, uint64_t microTriangle,
-                   const image::AlphaTexture& texture, const image::AlphaTest& test, unsigned samplesPerAxis);
+FILIGREE_API double opaqueShare(const mesh::UvTriangle& triangle, unsigned level, uint64_t microTriangle,
+                                const image::AlphaTexture& texture, const image::AlphaTest& test,
+                                unsigned samplesPerAxis);
 
 // Checks every micro-triangle of every triangle against the texture. `set.indices` has one entry a triangle;
 // special indices are checked as level-0 micromaps of that state. Triangles of non-finite coordinates must be
 // unknown. ErrorKind::usage for settings or tests out of range, ErrorKind::format for indices and records
 // that point outside, ErrorKind::cancelled.
-Result<DeepCounts> deepCheck(std::span<const mesh::UvTriangle> triangles, const micromap::FlatSet& set,
-                             const image::AlphaTexture& texture, const image::AlphaTest& test,
-                             const DeepSettings& settings, const Executor& executor, ProgressSink& progress);
+FILIGREE_API Result<DeepCounts> deepCheck(std::span<const mesh::UvTriangle> triangles,
+                                          const micromap::FlatSet& set, const image::AlphaTexture& texture,
+                                          const image::AlphaTest& test, const DeepSettings& settings,
+                                          const Executor& executor, ProgressSink& progress);
 
 }  // namespace filigree::verify

@@ -1,6 +1,7 @@
 // Vulkan devices: which there are, and one of them opened without a screen.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 
 #include <cstddef>
@@ -15,7 +16,7 @@
 namespace filigree::vulkan {
 
 // False where the project was built without Vulkan (CMake's FILIGREE_VULKAN): nothing is found then.
-bool isBuilt();
+FILIGREE_API bool isBuilt();
 
 enum class DeviceKind : uint8_t { gpu, integratedGpu, virtualGpu, cpu, other };
 
@@ -30,12 +31,12 @@ struct DeviceFacts {
 
 // The devices with Vulkan 1.1 or later, in the order of the drivers. ErrorKind::unsupported without a driver,
 // and where Vulkan is not built in.
-Result<std::vector<DeviceFacts>> devices();
+FILIGREE_API Result<std::vector<DeviceFacts>> devices();
 
 // Which device `wanted` names: a number from 0, or a part of a name, upper and lower case alike, that only
 // one device has. Empty: the first with ray queries, GPUs before integrated ones before others.
 // ErrorKind::unsupported where there is none.
-Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted);
+FILIGREE_API Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted);
 
 struct DeviceOptions {
     std::string device;  // as chooseDevice takes it
@@ -45,7 +46,7 @@ struct DeviceOptions {
 };
 
 // A device with its queue. All that is made on it must go before it. One thread at a time.
-class Device {
+class FILIGREE_API Device {
   public:
     // ErrorKind::unsupported where there is no such device, ErrorKind::limit where it does not open.
     static Result<Device> open(const DeviceOptions& options);

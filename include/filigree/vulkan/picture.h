@@ -1,6 +1,7 @@
 // Pictures by ray queries in compute shaders, with the alpha test of any of the decoders in shaders/decode.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/core/vec3.h"
@@ -70,7 +71,7 @@ struct Picture {
 };
 
 // A method on a device, its shader compiled: renders any number of pictures of one scene.
-class Painter {
+class FILIGREE_API Painter {
   public:
     // `device` and `scene` must outlive the result. Sets are checked first: ErrorKind::format.
     // ErrorKind::unsupported for squares with two states, which hit by chance on the CPU, ErrorKind::limit

@@ -1,6 +1,7 @@
 // A scene on a device, ready for rays.
 #pragma once
 
+#include "filigree/core/api.h"
 #include "filigree/core/result.h"
 #include "filigree/scene/scene.h"
 #include "filigree/vulkan/device.h"
@@ -15,7 +16,7 @@ namespace filigree::vulkan {
 // numbered over all meshes in scene order, primitives without triangles left out, as trace::World numbers
 // them. Vertices that are not finite drop their triangle, and transforms that are not finite or flatten to
 // nothing their instance.
-class RayScene {
+class FILIGREE_API RayScene {
   public:
     // `scene` needs colour and alpha decoded, as for trace::World, and must outlive the result, as must
     // `device`. BLEND materials are stochastically transparent. ErrorKind::unsupported where the device has
