@@ -52,7 +52,8 @@ struct Baked {
 // cancelled.
 FILIGREE_API Result<Baked> bake(std::span<const mesh::UvTriangle> triangles,
                                 const image::AlphaTexture& texture, const image::AlphaTest& test,
-                                const Settings& settings, const Executor& executor, ProgressSink& progress);
+                                const Settings& settings = {}, const Executor& executor = serialExecutor(),
+                                ProgressSink& progress = silentProgress());
 
 // The highest useful level of a triangle on a texture of width x height texels, clamped to `maxLevel`. 0 when
 // a UV is not finite.

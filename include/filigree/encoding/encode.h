@@ -23,7 +23,7 @@ struct EncodeOptions {
 // the sides of states are kept. The result does not depend on the executor. ErrorKind::limit when the set
 // outgrows the encoding's offsets, ErrorKind::usage for Encoding::bitmask, which does not encode micromaps.
 FILIGREE_API Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
-                                       micromap::Format format, const EncodeOptions& options,
-                                       const Executor& executor);
+                                       micromap::Format format, const EncodeOptions& options = {},
+                                       const Executor& executor = serialExecutor());
 
 }  // namespace filigree::encoding

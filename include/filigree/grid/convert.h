@@ -34,7 +34,7 @@ struct ConvertOptions {
 // with fewer than three different vertices. Triangles keep their winding, not their first vertex. The same
 // answer for any executor. Fails with ErrorKind::limit above maxConvertTriangles, ErrorKind::format on
 // what mesh::check refuses.
-FILIGREE_API Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options,
-                                      const Executor& executor);
+FILIGREE_API Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options = {},
+                                      const Executor& executor = serialExecutor());
 
 }  // namespace filigree::grid

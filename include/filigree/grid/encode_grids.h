@@ -42,14 +42,16 @@ struct GridRecords {
 // ErrorKind::format on a mesh without triangles or vertices outside the lattice, and with ErrorKind::limit
 // above 16 GiB of records. The same bytes for any executor. Progress in triangles.
 FILIGREE_API Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptions& options,
-                                               const Executor& executor, ProgressSink& progress);
+                                               const Executor& executor = serialExecutor(),
+                                               ProgressSink& progress = silentProgress());
 
 // Builds the hierarchy and brings the records into the order of its leaves.
 FILIGREE_API EncodedGrids buildGrids(GridRecords records, const Executor& executor);
 
 // Both.
 FILIGREE_API Result<EncodedGrids> encodeGrids(GridMesh& mesh, const EncodeOptions& options,
-                                              const Executor& executor, ProgressSink& progress);
+                                              const Executor& executor = serialExecutor(),
+                                              ProgressSink& progress = silentProgress());
 
 // A lattice whose points are floats, so fine that only floats of the greatest size could be finer: steps of
 // one power of two. All vertices of the mesh lie in its range. Fails with ErrorKind::format where there are
