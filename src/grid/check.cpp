@@ -4,9 +4,7 @@
 #include "filigree/grid/cluster.h"
 #include "filigree/grid/tile.h"
 
-#include "grid/cluster_box.h"
-#include "grid/record_spans.h"
-#include "grid/sub_grids.h"
+#include "grid/record_box.h"
 
 #include <algorithm>
 #include <atomic>
@@ -70,13 +68,13 @@ class RecordCheck {
   public:
     explicit RecordCheck(const EncodedGrids& grids) : grids_(grids), spans_(grids) {}
 
-    Result<Box> boxOf(size_t k) const {
+    [[nodiscard]] Result<Box> boxOf(size_t k) const {
         const auto record = std::span(grids_.records).subspan(spans_.begin(k), spans_.size(k));
-        const Result<Box> box = spans_.isCluster(k)            ? clusterOf(record)
-                                : grids_.codec == Codec::paper ? subGridOf(record)
-                                                               : tileOf(record);
-        if (!box) return box.error().within(fmt::format("record {}", k));
-        return box;
+        const Status sound = spans_.isCluster(k) ? checkSize(checkCluster(record, UINT32_MAX), record.size())
+                             : grids_.codec == Codec::paper ? checkSubGrid(record)
+                                                            : checkSize(checkTile(record), record.size());
+        if (!sound) return sound.error().within(fmt::format("record {}", k));
+        return boxOfRecord(grids_, spans_, k);
     }
 
   private:
@@ -85,24 +83,10 @@ class RecordCheck {
         if (*found == expected) return {};
         return brokenGrids("{} bytes, the offsets give it {}", *found, expected);
     }
-    Result<Box> clusterOf(std::span<const uint8_t> record) const {
-        const Status status = checkSize(checkCluster(record, UINT32_MAX), record.size());
-        if (!status) return status.error();
-        const auto cluster = std::make_unique<ClusterTriangles>();
-        decodeClusterPlain(record.data(), *cluster);
-        return clusterBox(*cluster, grids_.codec, grids_.lattice);
-    }
-    Result<Box> subGridOf(std::span<const uint8_t> record) const {
+    [[nodiscard]] Status checkSubGrid(std::span<const uint8_t> record) const {
         if (record.size() != paperBytes)
             return brokenGrids("sub-grid of {} bytes, expected {}", record.size(), paperBytes);
-        const Status status = checkPaper(record.first<paperBytes>(), grids_.paper);
-        if (!status) return status.error();
-        return grid::boxOf(decodePaper(record.data(), grids_.paper), paperPlace(record.data()));
-    }
-    static Result<Box> tileOf(std::span<const uint8_t> record) {
-        const Status status = checkSize(checkTile(record), record.size());
-        if (!status) return status.error();
-        return decodeTile(record.data()).box();
+        return checkPaper(record.first<paperBytes>(), grids_.paper);
     }
 
     const EncodedGrids& grids_;
