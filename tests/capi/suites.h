@@ -1,0 +1,19 @@
+// The suites that are written in C. Each returns how many checks failed.
+#ifndef FILIGREE_TESTS_CAPI_SUITES_H
+#define FILIGREE_TESTS_CAPI_SUITES_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+int micromapsSuite(void);
+int setsSuite(void);
+int badInputSuite(void);
+int memorySuite(void);
+int contextSuite(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
