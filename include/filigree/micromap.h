@@ -7,6 +7,7 @@
 //     const bool isOne = micromap::isUniform(opaque.view());
 #pragma once
 
+#include "filigree/micromap/buffers.h"
 #include "filigree/micromap/curve.h"
 #include "filigree/micromap/curve_batch.h"
 #include "filigree/micromap/distinct_trees.h"

@@ -160,6 +160,7 @@ unsigned usefulLevel(const mesh::UvTriangle& triangle, uint32_t width, uint32_t 
 Result<Baked> bake(std::span<const mesh::UvTriangle> triangles, const image::AlphaTexture& texture,
                    const image::AlphaTest& test, const Settings& settings, const Executor& executor,
                    ProgressSink& progress) {
+    if (Status status = image::check(texture.image); !status) return status.error();
     if (Status status = checkSettings(triangles, test, settings); !status) return status.error();
     Bake work(triangles, texture, test, settings);
     if (Status status = work.classify(executor, progress); !status) return status.error();

@@ -70,6 +70,7 @@ Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources, Format
                                   const Executor& executor) {
     std::vector<uint64_t> offsets{0};
     for (size_t k = 0; k < sources.size(); ++k) {
+        if (const auto usable = image::check(sources[k].texture->image); !usable) return usable.error();
         if (const auto usable = checkTest(sources[k].test, k); !usable) return usable.error();
         offsets.push_back(offsets.back() + maskBytes(*sources[k].texture, format));
     }

@@ -1,10 +1,14 @@
 #include "filigree/image/alpha_image.h"
 
+#include "filigree/core/bytes.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
+
+#include <fmt/format.h>
 
 namespace filigree::image {
 namespace {
@@ -23,6 +27,19 @@ Taps tapsOf(uint32_t i, uint32_t size) {
     return {{2 * i, 2 * i + 1, 2 * i + 2}, {n - i, n, i + 1}};
 }
 
+constexpr unsigned maxPixelBytes = 4096;
+
+Error usageError(std::string message) {
+    return {ErrorKind::usage, std::move(message)};
+}
+
+Status checkSize(uint32_t width, uint32_t height) {
+    const auto fits = [](uint32_t side) { return side > 0 && side <= maxImageSide; };
+    if (fits(width) && fits(height)) return {};
+    return usageError(fmt::format("an alpha image of {} x {} texels: expected sides of 1 to {}", width,
+                                  height, maxImageSide));
+}
+
 uint64_t totalWeight(const Taps& taps) {
     return taps.weight[0] + taps.weight[1] + taps.weight[2];
 }
@@ -35,6 +52,47 @@ AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const u
     std::ranges::transform(texels, image.texels.begin(),
                            [](uint8_t a) { return static_cast<uint16_t>(a * 257); });
     return image;
+}
+
+Result<AlphaImage> alphaImageFrom(const PixelView& pixels) {
+    const uint64_t alphaBytes = pixels.bits / 8;
+    const uint64_t packed = uint64_t{pixels.width} * pixels.pixelBytes;
+    const uint64_t rowBytes = pixels.rowBytes == 0 ? packed : pixels.rowBytes;
+    if (const Status size = checkSize(pixels.width, pixels.height); !size) return size.error();
+    if (pixels.bits != 8 && pixels.bits != 16)
+        return usageError(fmt::format("alpha of {} bits: expected 8 or 16", pixels.bits));
+    if (pixels.pixelBytes == 0 || pixels.pixelBytes > maxPixelBytes ||
+        pixels.alphaAt + alphaBytes > pixels.pixelBytes)
+        return usageError(fmt::format("alpha at bytes {} to {} of pixels of {} bytes", pixels.alphaAt,
+                                      pixels.alphaAt + alphaBytes, pixels.pixelBytes));
+    if (rowBytes < packed)
+        return usageError(fmt::format("rows of {} bytes: expected at least {} for {} pixels", rowBytes,
+                                      packed, pixels.width));
+    const uint64_t needed = (packed - pixels.pixelBytes) + pixels.alphaAt + alphaBytes;
+    if (pixels.bytes.size() < needed || (pixels.bytes.size() - needed) / rowBytes < pixels.height - 1)
+        return usageError(fmt::format("{} bytes for {} x {} pixels of {} bytes, in rows of {}",
+                                      pixels.bytes.size(), pixels.width, pixels.height, pixels.pixelBytes,
+                                      rowBytes));
+    AlphaImage image{pixels.width, pixels.height, {}, pixels.bits == 8 ? 255U : 65535U};
+    image.texels.reserve(size_t{pixels.width} * pixels.height);
+    for (uint32_t y = 0; y < pixels.height; ++y) {
+        const uint8_t* from = pixels.bytes.data() + y * rowBytes + pixels.alphaAt;
+        for (uint32_t x = 0; x < pixels.width; ++x, from += pixels.pixelBytes)
+            image.texels.push_back(pixels.bits == 8 ? static_cast<uint16_t>(*from * 257)
+                                                    : loadLe<uint16_t>(from));
+    }
+    return image;
+}
+
+Status check(const AlphaImage& image) {
+    if (const Status size = checkSize(image.width, image.height); !size) return size;
+    const uint64_t texels = uint64_t{image.width} * image.height;
+    if (image.texels.size() != texels)
+        return usageError(fmt::format("an alpha image of {} x {} texels has {} of them", image.width,
+                                      image.height, image.texels.size()));
+    if (image.steps != 255 && image.steps != 65535)
+        return usageError(fmt::format("an alpha image of {} grey steps: expected 255 or 65535", image.steps));
+    return {};
 }
 
 uint32_t wrapTexel(int64_t coordinate, uint32_t size, Wrap wrap) {

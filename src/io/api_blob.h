@@ -32,9 +32,4 @@ inline constexpr std::array<IndexTypeNames, 3> indexTypes{
 
 Json usageToJson(const std::vector<micromap::UsageCount>& usages);
 
-// How many triangles use records of each level and format. Indices that are special or no record do not
-// count.
-std::vector<micromap::UsageCount> trianglesByUsage(std::span<const int32_t> indices,
-                                                   const std::vector<micromap::Record>& records);
-
 }  // namespace filigree::io

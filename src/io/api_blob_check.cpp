@@ -159,7 +159,7 @@ class BlobCheck {
             }
             indices.push_back(static_cast<int32_t>(index));
         }
-        checkUsage(reader, trianglesByUsage(indices, records));
+        checkUsage(reader, micromap::usageByTriangles(indices, records));
     }
 
     void checkVertices(ObjectReader& reader, uint64_t triangles) {

@@ -82,7 +82,7 @@ Json primitiveManifest(const OutputPrimitive& item, const MicromapOutput& output
     json["indices"] = indexManifest(item, stem, writer);
     json["baseTriangle"] = 0;
     json["usageCounts"] =
-        usageToJson(trianglesByUsage(item.indices, output.micromaps[item.micromaps].set->records));
+        usageToJson(micromap::usageByTriangles(item.indices, output.micromaps[item.micromaps].set->records));
     if (item.vertexIndices.empty()) return json;
     const std::span<const int32_t> vertices(reinterpret_cast<const int32_t*>(item.vertexIndices.data()),
                                             item.vertexIndices.size());
@@ -161,24 +161,6 @@ Json usageToJson(const std::vector<micromap::UsageCount>& usages) {
         json.push_back(std::move(entry));
     }
     return json;
-}
-
-std::vector<micromap::UsageCount> trianglesByUsage(std::span<const int32_t> indices,
-                                                   const std::vector<micromap::Record>& records) {
-    std::array<std::array<uint32_t, 2>, micromap::maxLevel + 1> counts{};
-    for (const int32_t index : indices) {
-        if (index < 0 || static_cast<size_t>(index) >= records.size()) continue;
-        const micromap::Record& record = records[static_cast<size_t>(index)];
-        ++counts[record.level][record.format == micromap::Format::twoState ? 0 : 1];
-    }
-    std::vector<micromap::UsageCount> usages;
-    for (uint32_t level = 0; level <= micromap::maxLevel; ++level) {
-        for (const auto format : {micromap::Format::twoState, micromap::Format::fourState}) {
-            const uint32_t count = counts[level][format == micromap::Format::twoState ? 0 : 1];
-            if (count > 0) usages.push_back({count, level, format});
-        }
-    }
-    return usages;
 }
 
 Status writeApiBlobs(const fs::path& given, const MicromapOutput& output, const std::string& source) {

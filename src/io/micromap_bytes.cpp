@@ -1,6 +1,7 @@
 #include "io/micromap_bytes.h"
 
 #include "filigree/core/bytes.h"
+#include "filigree/micromap/buffers.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,13 +21,7 @@ uint64_t endOf(const micromap::Record& record) {
 
 std::vector<uint8_t> encodeRecords(std::span<const micromap::Record> records) {
     std::vector<uint8_t> bytes(records.size() * micromap::recordBytes);
-    uint8_t* to = bytes.data();
-    for (const micromap::Record& record : records) {
-        storeLe(to, record.byteOffset);
-        storeLe(to + 4, record.level);
-        storeLe(to + 6, static_cast<uint16_t>(record.format));
-        to += micromap::recordBytes;
-    }
+    micromap::writeRecords(records, bytes);
     return bytes;
 }
 
@@ -80,10 +75,7 @@ std::optional<Overlap> findOverlap(std::span<const micromap::Record> records) {
 
 std::vector<uint8_t> encodeIndices(std::span<const int32_t> indices, size_t bytes) {
     std::vector<uint8_t> encoded(indices.size() * bytes);
-    for (size_t i = 0; i < indices.size(); ++i) {
-        const auto value = static_cast<uint32_t>(indices[i]);
-        for (size_t k = 0; k < bytes; ++k) encoded[i * bytes + k] = static_cast<uint8_t>(value >> (8 * k));
-    }
+    micromap::writeIndices(indices, bytes, encoded);
     return encoded;
 }
 

@@ -1,19 +1,42 @@
 #include "filigree/micromap/set.h"
 
+#include "micromap/flat_data.h"
+
 #include <algorithm>
 #include <cassert>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace filigree::micromap {
 
-std::vector<UsageCount> usageCounts(const std::vector<Record>& records) {
-    std::map<std::pair<uint32_t, Format>, uint32_t> counts;
-    for (const Record& record : records) ++counts[{record.level, record.format}];
+namespace {
+
+using UsageMap = std::map<std::pair<uint32_t, Format>, uint32_t>;
+
+std::vector<UsageCount> usagesOf(const UsageMap& counts) {
     std::vector<UsageCount> usage;
     for (const auto& [key, count] : counts) usage.push_back({count, key.first, key.second});
     return usage;
+}
+
+}  // namespace
+
+std::vector<UsageCount> usageCounts(const std::vector<Record>& records) {
+    UsageMap counts;
+    for (const Record& record : records) ++counts[{record.level, record.format}];
+    return usagesOf(counts);
+}
+
+std::vector<UsageCount> usageByTriangles(std::span<const int32_t> indices, std::span<const Record> records) {
+    UsageMap counts;
+    for (const int32_t index : indices) {
+        if (index < 0 || static_cast<size_t>(index) >= records.size()) continue;
+        const Record& record = records[static_cast<size_t>(index)];
+        ++counts[{record.level, record.format}];
+    }
+    return usagesOf(counts);
 }
 
 uint64_t flatDataBytes(const TreeSet& set) {
@@ -22,33 +45,49 @@ uint64_t flatDataBytes(const TreeSet& set) {
     return bytes;
 }
 
-Result<FlatSet> flatten(const TreeSet& set, const Executor& executor) {
-    const uint64_t bytes = flatDataBytes(set);
-    if (bytes > UINT32_MAX) {
-        return Error{
-            ErrorKind::limit,
-            fmt::format("the micromaps take {} bytes flat, the formats reach {}: choose a lower level or a "
-                        "budget",
-                        bytes, UINT32_MAX)};
-    }
-    FlatSet flat;
-    flat.indices = set.indices;
-    flat.records.reserve(set.trees.size());
+Status checkDataBytes(uint64_t bytes) {
+    if (bytes <= UINT32_MAX) return {};
+    return Error{
+        ErrorKind::limit,
+        fmt::format("the micromaps take {} bytes flat, the formats reach {}: choose a lower level or a "
+                    "budget",
+                    bytes, UINT32_MAX)};
+}
+
+Result<std::vector<Record>> recordsOf(const TreeSet& set) {
+    if (const Status reach = checkDataBytes(flatDataBytes(set)); !reach) return reach.error();
+    std::vector<Record> records;
+    records.reserve(set.trees.size());
     uint64_t offset = 0;
     for (size_t k = 0; k < set.trees.size(); ++k) {
         const unsigned level = set.trees[k].level;
-        flat.records.push_back({static_cast<uint32_t>(offset), static_cast<uint16_t>(level), set.format});
+        records.push_back({static_cast<uint32_t>(offset), static_cast<uint16_t>(level), set.format});
         offset += flatBytes(level, set.format);
     }
-    flat.data.resize(bytes);
+    return records;
+}
+
+Status writeData(const TreeSet& set, std::span<const Record> records, std::span<uint8_t> to,
+                 const Executor& executor, ProgressSink& progress) {
+    progress.begin("flatten", set.trees.size(), "micromaps");
     executor.parallelFor(set.trees.size(), 16, [&](size_t begin, size_t end) {
-        for (size_t k = begin; k < end; ++k) {
+        for (size_t k = begin; k < end && !progress.cancelled(); ++k) {
             const QuadtreeView tree = set.trees[k];
-            const auto to =
-                std::span(flat.data).subspan(flat.records[k].byteOffset, flatBytes(tree.level, set.format));
-            writeFlat(tree, set.format, to);
+            writeFlat(tree, set.format, to.subspan(records[k].byteOffset, flatBytes(tree.level, set.format)));
         }
+        progress.advance(end - begin);
     });
+    progress.end();
+    if (progress.cancelled()) return Error{ErrorKind::cancelled, "stopped while flattening micromaps"};
+    return {};
+}
+
+Result<FlatSet> flatten(const TreeSet& set, const Executor& executor, ProgressSink& progress) {
+    Result<std::vector<Record>> records = recordsOf(set);
+    if (!records) return records.error();
+    FlatSet flat{std::vector<uint8_t>(flatDataBytes(set)), std::move(*records), set.indices};
+    if (const Status written = writeData(set, flat.records, flat.data, executor, progress); !written)
+        return written.error();
     return flat;
 }
 

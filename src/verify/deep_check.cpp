@@ -193,11 +193,7 @@ Status checkSettings(const image::AlphaTexture& texture, const image::AlphaTest&
         return usage("cutoff, factor and guard must be finite and not negative");
     }
     if (!(settings.sample >= 0 && settings.sample <= 1)) return usage("the share to sample must be 0 to 1");
-    const image::AlphaImage& image = texture.image;
-    if (image.width == 0 || image.height == 0 || image.texels.size() != size_t{image.width} * image.height) {
-        return usage("the alpha image is empty or its texels do not fit its size");
-    }
-    return {};
+    return image::check(texture.image);
 }
 
 Status checkRecord(const micromap::FlatSet& set, size_t index) {

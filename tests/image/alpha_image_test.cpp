@@ -18,6 +18,46 @@ AlphaImage imageOf(uint32_t width, uint32_t height, std::vector<uint16_t> texels
     return {width, height, std::move(texels), 65535};
 }
 
+TEST(AlphaImage, ReadsAnyPixels) {
+    const std::vector<uint8_t> bytes{9, 9, 9, 0,   9, 9, 9, 1,  7, 7,  //
+                                     9, 9, 9, 128, 9, 9, 9, 255};
+    const auto rgba = alphaImageFrom({.bytes = bytes, .width = 2, .height = 2, .rowBytes = 10});
+    ASSERT_TRUE(rgba) << rgba.error().message;
+    EXPECT_THAT(rgba->texels, ElementsAre(0, 257, 128 * 257, 65535));
+    EXPECT_EQ(rgba->steps, 255U);
+
+    const std::vector<uint8_t> wide{0, 0x34, 0x12, 0, 0x78, 0x56};
+    const auto deep =
+        alphaImageFrom({.bytes = wide, .width = 2, .height = 1, .pixelBytes = 3, .alphaAt = 1, .bits = 16});
+    ASSERT_TRUE(deep) << deep.error().message;
+    EXPECT_THAT(deep->texels, ElementsAre(0x1234, 0x5678));
+    EXPECT_EQ(deep->steps, 65535U);
+}
+
+TEST(AlphaImage, RefusesPixelsThatAreNotThere) {
+    const std::vector<uint8_t> bytes(16);
+    for (const PixelView& view :
+         {PixelView{bytes, 2, 3}, PixelView{bytes, 0, 1}, PixelView{bytes, 1, 65537},
+          PixelView{bytes, 65536, 65536}, PixelView{bytes, 4, 1, 4, 4}, PixelView{bytes, 4, 1, 4, 3, 16},
+          PixelView{bytes, 4, 1, 0, 0}, PixelView{bytes, 4, 1, 4, 3, 7}, PixelView{bytes, 2, 2, 4, 3, 8, 7},
+          PixelView{bytes, 2, 2, 4, 3, 8, SIZE_MAX}, PixelView{bytes, 1, 2, 4, 3, 8, 13},
+          PixelView{{}, 1, 1}}) {
+        const auto image = alphaImageFrom(view);
+        ASSERT_FALSE(image);
+        EXPECT_EQ(image.error().kind, ErrorKind::usage) << image.error().message;
+    }
+    EXPECT_TRUE(alphaImageFrom({bytes, 1, 2, 4, 3, 8, 12}));
+}
+
+TEST(AlphaImage, ChecksWhatItPromises) {
+    EXPECT_TRUE(check(imageOf(2, 1, {1, 2})));
+    EXPECT_FALSE(check(imageOf(2, 2, {1, 2})));
+    EXPECT_FALSE(check(AlphaImage{}));
+    AlphaImage odd = imageOf(1, 1, {1});
+    odd.steps = 100;
+    EXPECT_FALSE(check(odd));
+}
+
 TEST(AlphaImage, EightBitIsExact) {
     const std::vector<uint8_t> bytes{0, 1, 128, 255};
     const AlphaImage image = alphaImageFrom8Bit(2, 2, bytes);

@@ -29,6 +29,25 @@ struct AlphaImage {
 // An AlphaImage from 8-bit values, `texels` of width * height bytes.
 FILIGREE_API AlphaImage alphaImageFrom8Bit(uint32_t width, uint32_t height, std::span<const uint8_t> texels);
 
+// Pixels in memory of the caller's, of which one channel is the alpha: RGBA8, R8, R16, BGRA16 ...
+struct PixelView {
+    std::span<const uint8_t> bytes;  // row 0 at v = 0; 16-bit values little-endian, at any address
+    uint32_t width = 0;              // texels, 1..maxImageSide
+    uint32_t height = 0;             // texels, 1..maxImageSide
+    unsigned pixelBytes = 4;         // from one pixel to the next
+    unsigned alphaAt = 3;            // where in a pixel its alpha begins, in bytes
+    unsigned bits = 8;               // of the alpha, 8 or 16
+    size_t rowBytes = 0;             // from one row to the next; 0: width * pixelBytes
+};
+
+// Reads the alpha of `pixels`, which are not needed afterwards. ErrorKind::usage for sizes out of range, and
+// where a row or a pixel would lie outside the bytes.
+FILIGREE_API Result<AlphaImage> alphaImageFrom(const PixelView& pixels);
+
+// What the comments of AlphaImage promise; the error is of ErrorKind::usage. Functions that give a Result
+// check it themselves.
+FILIGREE_API Status check(const AlphaImage& image);
+
 // What a sampler does with texel coordinates outside the image (glTF sampler.wrapS, wrapT).
 enum class Wrap : uint8_t { repeat, mirroredRepeat, clampToEdge };
 

@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/micromap/quadtree.h"
 #include "filigree/micromap/state.h"
@@ -45,12 +46,22 @@ struct FlatSet {
 // One entry for each (level, format) that occurs, by rising level, then format.
 FILIGREE_API std::vector<UsageCount> usageCounts(const std::vector<Record>& records);
 
+// How many triangles use records of each level and format, which an acceleration structure with micromaps of
+// VK_EXT_opacity_micromap is built with. Indices that are special or no record do not count.
+FILIGREE_API std::vector<UsageCount> usageByTriangles(std::span<const int32_t> indices,
+                                                      std::span<const Record> records);
+
 // Bytes of data that flatten() would write.
 FILIGREE_API uint64_t flatDataBytes(const TreeSet& set);
 
-// The flat set of `set`, in the same order. Fails with ErrorKind::limit above 4 GiB - 1 of data, the reach of
-// the 32-bit offsets.
-FILIGREE_API Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor());
+// Where flatten() puts each micromap: one after another. ErrorKind::limit above 4 GiB - 1 of data, the reach
+// of the 32-bit offsets.
+FILIGREE_API Result<std::vector<Record>> recordsOf(const TreeSet& set);
+
+// The flat set of `set`, in the same order. ErrorKind::limit as recordsOf(), ErrorKind::cancelled.
+// micromap/buffers.h writes the same into memory of the caller's.
+FILIGREE_API Result<FlatSet> flatten(const TreeSet& set, const Executor& executor = serialExecutor(),
+                                     ProgressSink& progress = silentProgress());
 
 // Gives a set without records one that no index names: lists of micromaps may not be empty in glTF and
 // Vulkan, even where every index is special.
