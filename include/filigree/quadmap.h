@@ -9,6 +9,7 @@
 #pragma once
 
 #include "filigree/quadmap/encode.h"
+#include "filigree/quadmap/pairs.h"
 #include "filigree/quadmap/place.h"
 #include "filigree/quadmap/reader.h"
 #include "filigree/quadmap/square.h"

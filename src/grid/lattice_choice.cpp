@@ -1,5 +1,7 @@
 #include "filigree/grid/lattice_choice.h"
 
+#include "filigree/grid/error.h"
+
 #include "grid/axis_spacing.h"
 
 #include <algorithm>
@@ -178,6 +180,17 @@ Result<Lattice> losslessLattice(const GridMesh& mesh) {
         }
     }
     return latticeOf(*axes, lattice);
+}
+
+Result<MatchedLattice> latticeMatchingPaper(const GridMesh& mesh, DisplacementCode displacement,
+                                            const Executor& executor) {
+    const VertexErrors errors = paperErrors(mesh, displacement, executor);
+    const auto all = static_cast<double>(errors.vertices + mesh.looseVertices.size());
+    const double measured = errors.rms * std::sqrt(static_cast<double>(errors.vertices) / all);
+    const double rms = measured > 0 ? measured : usualPaperRms * boundsOf(mesh).diagonal();
+    const auto lattice = latticeForRms(mesh, rms, executor);
+    if (!lattice) return lattice.error();
+    return MatchedLattice{*lattice, rms};
 }
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 #include "filigree/io/heightfield.h"
 
 #include "filigree/core/file.h"
+#include "filigree/grid/heightfield.h"
 
 #include "io/png.h"
 
@@ -47,18 +48,10 @@ Result<grid::GridMesh> parseHeightfield(std::span<const uint8_t> png, const Heig
                      fmt::format("heightfield of {} x {} texels, expected at least 2 x 2", columns, rows)};
     }
     if (const Status extent = checkExtent(grey->size, options); !extent) return extent.error();
-    grid::GridMesh mesh;
-    mesh.grids.push_back({columns, rows, 0, 0});
-    mesh.vertices.resize(grey->size.texels());
-    for (uint32_t row = 0; row < rows; ++row) {
-        const float z = static_cast<float>(row * options.cell);
-        for (uint32_t column = 0; column < columns; ++column) {
-            const size_t at = size_t{row} * columns + column;
-            mesh.vertices[at] = {static_cast<float>(column * options.cell),
-                                 static_cast<float>(grey->values[at] * options.heightScale), z};
-        }
-    }
-    return mesh;
+    return grid::gridOfHeights(columns, rows, options.cell, [&](uint32_t column, uint32_t row) {
+        return static_cast<float>(grey->values[size_t{row} * grey->size.width + column] *
+                                  options.heightScale);
+    });
 }
 
 Result<grid::GridMesh> readHeightfield(const std::filesystem::path& path, const HeightfieldOptions& options) {

@@ -3,7 +3,7 @@
 
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
-#include "filigree/grid/lattice.h"
+#include "filigree/grid/lattice_choice.h"
 #include "filigree/grid/paper.h"
 #include "filigree/grid/vertex_grid.h"
 #include "filigree/jobs/grids.h"
@@ -17,9 +17,7 @@ struct ChosenLattice {
     std::optional<double> paperRms;  // where it was matched, world units
 };
 
-// Where the paper's codec has no error on the mesh, or there are no grids, its share of the diagonal is taken
-// to be this, which is what it is on ordinary displaced surfaces.
-inline constexpr double usualPaperRms = 1e-5;
+using grid::usualPaperRms;
 
 // Errors name the option.
 Result<ChosenLattice> chooseLattice(const grid::GridMesh& mesh, const GridPrecision& precision,

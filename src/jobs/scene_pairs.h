@@ -3,22 +3,17 @@
 
 #include "filigree/jobs/bake.h"
 #include "filigree/mesh/pairing.h"
-#include "filigree/quadmap/squares.h"
+#include "filigree/quadmap/pairs.h"
 #include "filigree/scene/scene.h"
 
 #include "jobs/alpha_source.h"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace filigree::jobs {
 
-// Two triangles, or one, in the order of their square (quadmap/place.h).
-struct SquarePair {
-    quadmap::HalfTriangle first;
-    std::optional<quadmap::HalfTriangle> second;
-};
+using quadmap::SquarePair;
 
 // A primitive and the pairs of its triangles.
 struct PairedPrimitive {

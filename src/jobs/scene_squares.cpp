@@ -1,74 +1,14 @@
 #include "jobs/scene_squares.h"
 
-#include "filigree/quadmap/encode.h"
-
 #include "jobs/one_stage.h"
 
 #include <algorithm>
-#include <array>
-#include <map>
 
 namespace filigree::jobs {
 namespace {
 
-using quadmap::Half;
-using quadmap::Region;
-using quadmap::Square;
+using quadmap::EncodedPair;
 using quadmap::SquareFormat;
-
-constexpr int32_t needsBlock = 0;
-
-// A distinct pair: its block, empty where neither half needs one, and what each half is throughout.
-struct EncodedPair {
-    std::vector<uint8_t> block;
-    std::array<int32_t, 2> special{needsBlock, needsBlock};
-};
-
-bool isIn(Half half, const Square& square, unsigned x, unsigned y) {
-    return half == Half::first ? x + y < square.side : x + y + 1 >= square.side;
-}
-
-// The special index of a half that is one state throughout, else needsBlock.
-int32_t specialOf(const Square& square, Half half) {
-    const unsigned last = square.side - 1;
-    const Region first = half == Half::first ? square.at(0, 0) : square.at(last, last);
-    for (unsigned y = 0; y < square.side; ++y) {
-        for (unsigned x = 0; x < square.side; ++x) {
-            if (isIn(half, square, x, y) && square.at(x, y) != first) return needsBlock;
-        }
-    }
-    return first == Region::transparent ? -1 : first == Region::opaque ? -2 : -4;
-}
-
-template <class Block>
-std::vector<uint8_t> bytesOf(const Block& block) {
-    return {block.begin(), block.end()};
-}
-
-std::vector<uint8_t> blockOf(const Square& square, SquareFormat format) {
-    switch (format) {
-        case SquareFormat::vq2:
-            return bytesOf(quadmap::encodeVq2(square, quadmap::Vq2Method::best));
-        case SquareFormat::vq2Plus:
-            return bytesOf(quadmap::encodeVq2Plus(square));
-        case SquareFormat::vq4:
-            return bytesOf(quadmap::encodeVq4(square, quadmap::Vq4Method::fast));
-        default:
-            return bytesOf(quadmap::encodeVq4Plus(square, quadmap::Vq4Method::fast));
-    }
-}
-
-EncodedPair encode(const quadmap::SquareMaker& maker, const SquarePair& pair, SquareFormat format) {
-    const unsigned side = sideOf(format);
-    const Square square =
-        pair.second ? maker.ofPair(pair.first, *pair.second, side) : maker.ofSingle(pair.first, side);
-    EncodedPair encoded;
-    encoded.special[0] = specialOf(square, Half::first);
-    encoded.special[1] = pair.second ? specialOf(square, Half::second) : -4;
-    const bool isNeeded = encoded.special[0] == needsBlock || encoded.special[1] == needsBlock;
-    if (isNeeded) encoded.block = blockOf(square, format);
-    return encoded;
-}
 
 // Gathers the blocks of all groups, equal ones once, and the triangles' indices.
 class Gatherer {
@@ -84,11 +24,8 @@ class Gatherer {
                           static_cast<uint32_t>(triangles), static_cast<uint32_t>(group)};
         part.indices.resize(triangles);
         part.places.resize(triangles);
-        for (size_t k = 0; k < primitive.pairs.size(); ++k) {
-            const mesh::TrianglePair& pair = primitive.pairs[k];
-            place(pair.first, Half::first, encoded[kinds[k]], part);
-            if (pair.second) place(*pair.second, Half::second, encoded[kinds[k]], part);
-        }
+        for (size_t k = 0; k < primitive.pairs.size(); ++k)
+            blocks_.add(primitive.pairs[k], encoded[kinds[k]], part.indices, part.places);
     }
 
     SceneSquares take() && {
@@ -102,6 +39,7 @@ class Gatherer {
             squares_.indices.insert(squares_.indices.end(), part.indices.begin(), part.indices.end());
             squares_.places.insert(squares_.places.end(), part.places.begin(), part.places.end());
         }
+        squares_.blocks = std::move(blocks_).take();
         return std::move(squares_);
     }
 
@@ -113,25 +51,9 @@ class Gatherer {
         std::vector<quadmap::SquarePlace> places;
     };
 
-    void place(const mesh::PairedTriangle& triangle, Half half, const EncodedPair& encoded, Part& part) {
-        const int32_t special = encoded.special[static_cast<size_t>(half)];
-        if (special != needsBlock) {
-            part.indices[triangle.triangle] = special;
-            return;
-        }
-        part.indices[triangle.triangle] = blockNumber(encoded.block);
-        part.places[triangle.triangle] = {half, quadmap::orderOf(triangle.order)};
-    }
-
-    int32_t blockNumber(const std::vector<uint8_t>& block) {
-        const auto [found, isNew] = numbers_.try_emplace(block, static_cast<int32_t>(numbers_.size()));
-        if (isNew) squares_.blocks.insert(squares_.blocks.end(), block.begin(), block.end());
-        return found->second;
-    }
-
     SceneSquares squares_;
     std::vector<Part> parts_;
-    std::map<std::vector<uint8_t>, int32_t> numbers_;
+    quadmap::BlockList blocks_;
 };
 
 }  // namespace
@@ -159,7 +81,7 @@ Result<SceneSquares> encodeSquares(const scene::Scene& scene, const std::vector<
         std::vector<EncodedPair> encoded(distinct[g].pairs.size());
         executor.parallelFor(encoded.size(), 4, [&](size_t begin, size_t end) {
             for (size_t k = begin; k < end && !stage.cancelled(); ++k) {
-                encoded[k] = encode(maker, distinct[g].pairs[k], format);
+                encoded[k] = quadmap::encodePair(maker, distinct[g].pairs[k], format);
                 stage.advance(1);
             }
         });

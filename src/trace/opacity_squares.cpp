@@ -53,38 +53,6 @@ struct BySquare final : Opacity::Data {
     }
 };
 
-struct HalfWeights {
-    double u = 0;
-    double v = 0;
-};
-
-// The weights of vertices 1 and 2 of the half, of those of the triangle. In double precision the point stays
-// within its region.
-HalfWeights weightsIn(SquarePlace place, const Candidate& candidate) {
-    const std::array<double, 3> weights{1 - double{candidate.u} - double{candidate.v}, double{candidate.u},
-                                        double{candidate.v}};
-    const auto& vertices = verticesOf(place);
-    return {weights[vertices[1]], weights[vertices[2]]};
-}
-
-template <unsigned side>
-unsigned regionOf(double at) {
-    const double inside = at > 0 ? at * side : 0.0;
-    return inside < side ? static_cast<unsigned>(inside) : side - 1;
-}
-
-// The region that holds a candidate. The point of the shared edge where four regions meet belongs to none of
-// those that lie in the other half alone.
-template <unsigned side>
-quadmap::Cell cellOf(SquarePlace place, const Candidate& candidate) {
-    const HalfWeights at = weightsIn(place, candidate);
-    const bool isFirst = place.half == Half::first;
-    const unsigned x = regionOf<side>(isFirst ? at.u : 1 - at.u);
-    const unsigned y = regionOf<side>(isFirst ? at.v : 1 - at.v);
-    const unsigned onEdge = side - 1 - y;
-    return {isFirst ? std::min(x, onEdge) : std::max(x, onEdge), y};
-}
-
 template <SquareFormat format>
 constexpr unsigned formatSide =
     format == SquareFormat::vq4 || format == SquareFormat::vq4Plus ? quadmap::vq4Side : quadmap::vq2Side;
@@ -108,7 +76,7 @@ bool acceptByChance(const RayContext& context, const BySquare& opacity, const Ca
     const uint32_t place = hashed(candidate.triangle, hashed(candidate.instance, candidate.surface->number));
     const uint32_t seed = hashed(context.seed, place);
     if (entry.isSpecial()) return quadmap::hashOf(candidate.u, candidate.v, seed) < 0.5F;
-    const HalfWeights at = weightsIn(entry.place(), candidate);
+    const quadmap::HalfWeights at = quadmap::weightsIn(entry.place(), candidate.u, candidate.v);
     return quadmap::isHit(opacity.reader, entry.map(), entry.place().half, static_cast<float>(at.u),
                           static_cast<float>(at.v), quadmap::Neighbourhood::two, seed);
 }
@@ -124,7 +92,8 @@ bool acceptBySquare(RayContext& context, const Candidate& candidate) {
     if (entry.isSpecial()) {
         region = entry.special();
     } else {
-        const quadmap::Cell cell = cellOf<formatSide<format>>(entry.place(), candidate);
+        const quadmap::Cell cell =
+            quadmap::regionOf(entry.place(), candidate.u, candidate.v, formatSide<format>);
         ++context.counts->lookups;
         if (context.countBitsRead) [[unlikely]]
             context.counts->bitsRead += opacity.reader.bitsRead(entry.map(), cell.x, cell.y);

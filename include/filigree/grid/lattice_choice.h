@@ -5,6 +5,7 @@
 #include "filigree/core/executor.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/lattice.h"
+#include "filigree/grid/paper.h"
 #include "filigree/grid/vertex_grid.h"
 
 namespace filigree::grid {
@@ -33,5 +34,18 @@ FILIGREE_API Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, con
 // positionOf(pointAt(v)) is v, to the bit, for every vertex: heightfields, quantised meshes. Fails with
 // ErrorKind::unsupported, naming a vertex, where there is no such lattice.
 FILIGREE_API Result<Lattice> losslessLattice(const GridMesh& mesh);
+
+// As latticeForRms, of the paper's codec: its sub-grids on the same grids, over all vertices, with no error
+// at those of loose triangles, which it keeps as floats.
+struct MatchedLattice {
+    Lattice lattice;
+    double rms = 0;  // that is matched, world units
+};
+FILIGREE_API Result<MatchedLattice> latticeMatchingPaper(const GridMesh& mesh, DisplacementCode displacement,
+                                                         const Executor& executor);
+
+// Where the paper's codec has no error on the mesh, or there are no grids, its share of the diagonal is taken
+// to be this, which is what it is on ordinary displaced surfaces.
+inline constexpr double usualPaperRms = 1e-5;
 
 }  // namespace filigree::grid

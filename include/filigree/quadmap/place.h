@@ -1,6 +1,8 @@
 // Where the two triangles of a pair lie in their square.
 #pragma once
 
+#include "filigree/quadmap/transform.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -50,6 +52,41 @@ constexpr SquarePoint pointInSquare(Half half, float u, float v) {
 constexpr unsigned regionAlong(float at, unsigned side) {
     const float inside = std::min(at > 0 ? at : 0.0F, 1.0F);
     return std::min(static_cast<unsigned>(inside * static_cast<float>(side)), side - 1);
+}
+
+// Weights of vertices 1 and 2 of a half.
+struct HalfWeights {
+    double u = 0;
+    double v = 0;
+};
+
+// Those of the half that a triangle stands in, from the weights u and v of the triangle's own vertices 1 and
+// 2. In double precision the point stays within its region.
+constexpr HalfWeights weightsIn(SquarePlace place, float u, float v) {
+    const std::array<double, 3> weights{1 - double{u} - double{v}, double{u}, double{v}};
+    const auto& vertices = verticesOf(place);
+    return {weights[vertices[1]], weights[vertices[2]]};
+}
+
+namespace detail {
+
+constexpr unsigned regionInside(double at, unsigned side) {
+    const double inside = at > 0 ? at * side : 0.0;
+    return inside < side ? static_cast<unsigned>(inside) : side - 1;
+}
+
+}  // namespace detail
+
+// The region, of side x side, that holds the point with weights u and v of a triangle's own vertices 1 and 2.
+// The point of the shared edge where four regions meet belongs to none of those that lie in the other half
+// alone.
+constexpr Cell regionOf(SquarePlace place, float u, float v, unsigned side) {
+    const HalfWeights at = weightsIn(place, u, v);
+    const bool isFirst = place.half == Half::first;
+    const unsigned x = detail::regionInside(isFirst ? at.u : 1 - at.u, side);
+    const unsigned y = detail::regionInside(isFirst ? at.v : 1 - at.v, side);
+    const unsigned onEdge = side - 1 - y;
+    return {isFirst ? std::min(x, onEdge) : std::max(x, onEdge), y};
 }
 
 }  // namespace filigree::quadmap
