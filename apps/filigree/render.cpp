@@ -54,12 +54,15 @@ void addPicture(CLI::App& verb, jobs::RenderOptions& options) {
 }
 
 void addBackend(CLI::App& verb, jobs::RenderOptions& options) {
-    verb.add_option("--backend", options.backend,
-                    "cpu (the default), or vulkan: ray queries of a Vulkan device")
+    verb.add_option("--backend", options.backend, "cpu (the default), or vulkan: a Vulkan device")
         ->type_name("NAME");
     verb.add_option("--device", options.device,
                     "The Vulkan device, by number or part of its name; by default the best")
         ->type_name("NAME|N");
+    verb.add_option(
+            "--path", options.path,
+            "How the device traces: query (the default where it can), or pipeline, ray-tracing shaders")
+        ->type_name("NAME");
 }
 
 void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
@@ -125,7 +128,8 @@ void printRendered(const jobs::RenderSummary& s) {
         {"picture", fmt::format("{}, {} x {}, {} samples a pixel", s.integrator, s.width, s.height, s.spp)},
         {"rays", fmt::format("{:.2f} million a second, {} in {:.2f} s", s.mraysPerSecond(),
                              report::formatCount(s.counters.total().rays), s.seconds)}};
-    if (!s.device.empty()) lines.emplace_back("device", fmt::format("{}, {}", s.device, s.driver));
+    if (!s.device.empty())
+        lines.emplace_back("device", fmt::format("{}, {}, {}", s.device, s.driver, s.path));
     if (s.triptych) lines.emplace_back("saved", comparison(s));
     if (s.grids) lines.emplace_back("grids", gridsText(*s.grids));
     lines.emplace_back(

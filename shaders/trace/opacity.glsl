@@ -1,12 +1,7 @@
 // What decides a candidate hit: a state where a map has one, else the texture.
 
-// Of one kind of rays.
-struct RayCounts {
-    uint rays;
-    uint candidates;
-    uint lookups;
-    uint fetches;
-};
+// Of each surface where what its triangles say of their maps begins, here, or none; with a bitmask its texture, or none.
+layout(set = 0, binding = 4) readonly buffer Maps { uint maps[]; };
 
 #if ENCODING >= VQ2 && ENCODING <= VQ4_PLUS
 // What a triangle says of its square: the map in the upper bits, its half in bit 0 and the order of its vertices in

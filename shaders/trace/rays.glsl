@@ -1,11 +1,9 @@
-// Rays through the scene by ray queries.
+// Rays through the scene, and the places that they hit.
 
 const uint kindPrimary = 0u;
 const uint kindShadow = 1u;
 const uint kindAo = 2u;
 const uint kindBounce = 3u;
-
-RayCounts countsOf[4];
 
 const float farthest = 3.0e38;
 
@@ -67,30 +65,4 @@ bool twoStatesFor(uint kind) {
 uint rayFlagsOf(Ray ray) {
     return ((flags & flagAllOpaque) != 0u ? gl_RayFlagsOpaqueEXT : gl_RayFlagsNoneEXT) |
            (asksForAnyHit(ray.kind) ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
-}
-
-// False where nothing is hit. Gives the place that the nearest hit is at, where that was asked for. Decoders are compiled
-// into each call of this, so there should be one.
-bool meets(Ray ray, out Place place) {
-    ++countsOf[ray.kind].rays;
-    rayQueryEXT query;
-    rayQueryInitializeEXT(query, structure, rayFlagsOf(ray), 0xffu, ray.origin, 0.0, ray.direction, ray.reach);
-    while (rayQueryProceedEXT(query)) {
-        const uint number = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, false) +
-                                 rayQueryGetIntersectionGeometryIndexEXT(query, false));
-        if (accepts(surfaceOf(number), uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, false)),
-                    uint(rayQueryGetIntersectionInstanceIdEXT(query, false)),
-                    rayQueryGetIntersectionBarycentricsEXT(query, false), ray.seed, twoStatesFor(ray.kind),
-                    countsOf[ray.kind])) {
-            rayQueryConfirmIntersectionEXT(query);
-        }
-    }
-    if (rayQueryGetIntersectionTypeEXT(query, true) == gl_RayQueryCommittedIntersectionNoneEXT) return false;
-    if (asksForAnyHit(ray.kind)) return true;
-    const uint number = uint(rayQueryGetIntersectionInstanceCustomIndexEXT(query, true) +
-                             rayQueryGetIntersectionGeometryIndexEXT(query, true));
-    place = placeOf(surfaceOf(number), uint(rayQueryGetIntersectionPrimitiveIndexEXT(query, true)),
-                    rayQueryGetIntersectionBarycentricsEXT(query, true),
-                    rayQueryGetIntersectionObjectToWorldEXT(query, true), ray.direction);
-    return true;
 }

@@ -56,18 +56,20 @@ trace::Film filmOf(vulkan::Picture picture, const trace::RenderSettings& setting
 
 }  // namespace
 
-Result<DeviceScene> DeviceScene::open(const vulkan::DeviceOptions& options, const scene::Scene& scene,
-                                      const trace::World& world) {
+Result<DeviceScene> DeviceScene::open(const vulkan::DeviceOptions& options, std::string_view path,
+                                      const scene::Scene& scene, const trace::World& world) {
     auto opened = vulkan::Device::open(options);
     if (!opened) return opened.error();
     auto device = std::make_unique<vulkan::Device>(std::move(*opened));
+    const auto chosen = vulkan::chooseRayPath(device->facts(), path);
+    if (!chosen) return chosen.error();
     auto placed = vulkan::RayScene::build(*device, scene);
     if (!placed) return placed.error();
-    return DeviceScene(std::move(device), std::move(*placed), world);
+    return DeviceScene(std::move(device), *chosen, std::move(*placed), world);
 }
 
 Result<vulkan::Painter> DeviceScene::prepare(const OpacityInput& input, const SceneMaps& maps) const {
-    return vulkan::Painter::make(*device_, scene_, deviceMethod(input, maps, world_));
+    return vulkan::Painter::make(*device_, scene_, deviceMethod(input, maps, world_), path_);
 }
 
 Result<trace::Film> DeviceScene::render(vulkan::Painter& painter, const trace::RenderSettings& settings,

@@ -10,15 +10,16 @@
 #include "jobs/opacity_input.h"
 
 #include <memory>
+#include <string_view>
 
 namespace filigree::jobs {
 
 // A scene on a device.
 class DeviceScene {
   public:
-    // `world` of `scene`, without grids; both must outlive the result.
-    static Result<DeviceScene> open(const vulkan::DeviceOptions& options, const scene::Scene& scene,
-                                    const trace::World& world);
+    // `world` of `scene`, without grids; both must outlive the result. `path` as chooseRayPath takes it.
+    static Result<DeviceScene> open(const vulkan::DeviceOptions& options, std::string_view path,
+                                    const scene::Scene& scene, const trace::World& world);
 
     // Makes a method ready. `input` and `maps` as makeOpacity or makeSquareOpacity made and took them.
     // ErrorKind::unsupported for what a device cannot do: squares with two states.
@@ -30,12 +31,15 @@ class DeviceScene {
 
     [[nodiscard]] const vulkan::Device& device() const { return *device_; }
     [[nodiscard]] const vulkan::RayScene& scene() const { return scene_; }
+    [[nodiscard]] vulkan::RayPath path() const { return path_; }
 
   private:
-    DeviceScene(std::unique_ptr<vulkan::Device> device, vulkan::RayScene scene, const trace::World& world)
-        : device_(std::move(device)), scene_(std::move(scene)), world_(world) {}
+    DeviceScene(std::unique_ptr<vulkan::Device> device, vulkan::RayPath path, vulkan::RayScene scene,
+                const trace::World& world)
+        : device_(std::move(device)), path_(path), scene_(std::move(scene)), world_(world) {}
 
     std::unique_ptr<vulkan::Device> device_;  // goes last
+    vulkan::RayPath path_;
     vulkan::RayScene scene_;
     const trace::World& world_;
 };

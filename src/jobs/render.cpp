@@ -58,8 +58,9 @@ Status checkBackend(const RenderOptions& options) {
     if (options.backend != "cpu" && options.backend != "vulkan")
         return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
     if (options.backend == "cpu") {
-        if (options.device.empty()) return {};
-        return Error{ErrorKind::usage, "--device: goes with --backend vulkan"};
+        if (options.device.empty() && options.path.empty()) return {};
+        return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan",
+                                                   options.device.empty() ? "--path" : "--device")};
     }
     if (options.defer)
         return Error{ErrorKind::unsupported,
@@ -168,7 +169,7 @@ class Rendering {
             return Error{
                 ErrorKind::unsupported,
                 fmt::format("{}: the backend vulkan renders no compressed grids", options_.input.string())};
-        auto opened = DeviceScene::open({options_.device, {}}, scene_, *world_);
+        auto opened = DeviceScene::open({options_.device, {}}, options_.path, scene_, *world_);
         if (!opened) return opened.error().within("--backend vulkan");
         device_.emplace(std::move(*opened));
         if (options_.previewSeconds > 0) note("--preview is ignored: the backend vulkan writes none");
@@ -327,6 +328,7 @@ class Rendering {
             summary_.bvhBytes = device_->scene().bytes().structures;
             summary_.device = device_->device().facts().name;
             summary_.driver = device_->device().facts().driver;
+            summary_.path = nameOf(device_->path());
         }
         summary_.peakBytes = peakMemory();
         summary_.totalSeconds = total_.seconds();
@@ -413,6 +415,7 @@ std::string toJson(const RenderSummary& s) {
     if (!s.device.empty()) {
         json["device"] = s.device;
         json["driver"] = s.driver;
+        json["path"] = s.path;
     }
     json["ray_kinds"] = Json::object();
     for (size_t k = 0; k < trace::rayKindCount; ++k) {

@@ -83,7 +83,7 @@ RayScene::Bytes RayScene::bytes() const {
     return {};
 }
 
-Result<Painter> Painter::make(const Device&, const RayScene&, const Method&) {
+Result<Painter> Painter::make(const Device&, const RayScene&, const Method&, RayPath) {
     return notBuilt();
 }
 Painter::Painter(std::unique_ptr<Data> data) : data_(std::move(data)) {}

@@ -67,7 +67,7 @@ Result<OwnedMemory> allocate(Device::Data& device, const VkMemoryRequirements& n
 }  // namespace
 
 Result<Buffer> Buffer::make(Device::Data& device, uint64_t bytes, BufferPlace place, std::string_view what,
-                            VkBufferUsageFlags usage) {
+                            VkBufferUsageFlags usage, uint64_t alignment) {
     const std::string action = fmt::format("make a buffer of {} bytes for {}", bytes, what);
     const bool addressed = (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0;
     const bool bound = (usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT) != 0 && !addressed;
@@ -77,7 +77,7 @@ Result<Buffer> Buffer::make(Device::Data& device, uint64_t bytes, BufferPlace pl
                                  bytes, device.limits.maxStorageBufferRange)};
     }
     Buffer made;
-    made.size_ = std::max<uint64_t>(bytes, 16);
+    made.size_ = std::max<uint64_t>(bytes, 16) + alignment - 1;
     auto handle = makeHandle(device, made.size_, usage, action);
     if (!handle) return handle.error();
     made.buffer_ = std::move(*handle);
@@ -97,6 +97,7 @@ Result<Buffer> Buffer::make(Device::Data& device, uint64_t bytes, BufferPlace pl
         made.mapped_ = static_cast<uint8_t*>(mapped);
     }
     if (!status) return status.error();
+    if (alignment > 1) made.start_ = -made.address() & (alignment - 1);
     return made;
 }
 
@@ -109,6 +110,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
     std::swap(memory_, other.memory_);
     std::swap(buffer_, other.buffer_);
     std::swap(size_, other.size_);
+    std::swap(start_, other.start_);
     std::swap(allocated_, other.allocated_);
     std::swap(mapped_, other.mapped_);
     return *this;
@@ -122,20 +124,20 @@ VkDeviceAddress Buffer::address() const {
     VkBufferDeviceAddressInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
     info.buffer = get();
-    return vkGetBufferDeviceAddress(device_->device.get(), &info);
+    return vkGetBufferDeviceAddress(device_->device.get(), &info) + start_;
 }
 
 Result<Buffer> uploaded(Device::Data& device, std::span<const uint8_t> bytes, std::string_view what,
-                        VkBufferUsageFlags usage, uint64_t padding) {
+                        VkBufferUsageFlags usage, uint64_t padding, uint64_t alignment) {
     const uint64_t size = bytes.size() + padding;
     auto staging = Buffer::make(device, size, BufferPlace::shared, what, 0);
     if (!staging) return staging.error();
     std::memset(staging->mapped() + bytes.size(), 0, staging->size() - bytes.size());
     if (!bytes.empty()) std::memcpy(staging->mapped(), bytes.data(), bytes.size());
-    auto made = Buffer::make(device, size, BufferPlace::onDevice, what, usage);
+    auto made = Buffer::make(device, size, BufferPlace::onDevice, what, usage, alignment);
     if (!made) return made.error();
     const auto copied = submit(device, "copy data to the device", [&](VkCommandBuffer commands) {
-        const VkBufferCopy all{0, 0, staging->size()};
+        const VkBufferCopy all{0, made->start(), staging->size()};
         vkCmdCopyBuffer(commands, staging->get(), made->get(), 1, &all);
     });
     if (!copied) return copied.error();

@@ -36,7 +36,7 @@ std::string listOf(std::span<const DeviceFacts> devices) {
 Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted) {
     if (devices.empty()) return Error{ErrorKind::unsupported, "no Vulkan device was found; install a driver"};
     if (wanted.empty()) {
-        const auto rank = [](const DeviceFacts& facts) { return std::pair(!facts.rayQuery, facts.kind); };
+        const auto rank = [](const DeviceFacts& facts) { return std::pair(!facts.tracesRays(), facts.kind); };
         return static_cast<size_t>(std::ranges::min_element(devices, {}, rank) - devices.begin());
     }
     const auto number = deviceNumber(wanted);
@@ -49,6 +49,23 @@ Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_vi
     return Error{ErrorKind::unsupported,
                  fmt::format("device '{}': {} of that name; choose one of {}", wanted,
                              named.empty() ? "there is none" : "there are several", listOf(devices))};
+}
+
+std::string_view nameOf(RayPath path) {
+    return path == RayPath::query ? "query" : "pipeline";
+}
+
+Result<RayPath> chooseRayPath(const DeviceFacts& facts, std::string_view wanted) {
+    if (!wanted.empty() && wanted != "query" && wanted != "pipeline")
+        return Error{ErrorKind::usage, fmt::format("--path {}: choose query or pipeline", wanted)};
+    if (wanted.empty() && facts.tracesRays()) return facts.rayQuery ? RayPath::query : RayPath::pipeline;
+    if (wanted == "query" && facts.rayQuery) return RayPath::query;
+    if (wanted == "pipeline" && facts.rayPipeline) return RayPath::pipeline;
+    const std::string_view lacks = wanted == "query" ? "ray queries (VK_KHR_ray_query)"
+                                   : wanted == "pipeline"
+                                       ? "ray-tracing pipelines (VK_KHR_ray_tracing_pipeline)"
+                                       : "ray queries and no ray-tracing pipelines";
+    return Error{ErrorKind::unsupported, fmt::format("{} ({}) has no {}", facts.name, facts.driver, lacks)};
 }
 
 }  // namespace filigree::vulkan

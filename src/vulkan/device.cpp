@@ -14,46 +14,81 @@ std::vector<DeviceFacts> factsOfAll(const std::vector<PhysicalDevice>& devices) 
     return facts;
 }
 
-// The features that we use of what a device has, as one chain.
+// The features that we use of what a device has, as one chain. It stays where it is.
 struct WantedFeatures {
     VkPhysicalDeviceRayQueryFeaturesKHR query{};
+    VkPhysicalDeviceRayTracingPipelineFeaturesKHR pipeline{};
     VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{};
     VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
     std::vector<const char*> extensions;
-    const void* chain = nullptr;
+    void* chain = nullptr;
 
     explicit WantedFeatures(const DeviceFacts& facts) {
-        query.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR;
-        query.rayQuery = VK_TRUE;
-        structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR;
-        structures.pNext = &query;
-        structures.accelerationStructure = VK_TRUE;
-        addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
-        addresses.pNext = &structures;
+        if (!facts.tracesRays()) return;
         addresses.bufferDeviceAddress = VK_TRUE;
-        if (!facts.rayQuery) return;
-        chain = &addresses;
+        add(addresses, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES);
+        structures.accelerationStructure = VK_TRUE;
+        add(structures, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR);
         extensions = {VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
-                      VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME, VK_KHR_RAY_QUERY_EXTENSION_NAME};
+                      VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
+        if (facts.rayQuery) {
+            query.rayQuery = VK_TRUE;
+            add(query, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR);
+            extensions.push_back(VK_KHR_RAY_QUERY_EXTENSION_NAME);
+        }
+        if (facts.rayPipeline) {
+            pipeline.rayTracingPipeline = VK_TRUE;
+            add(pipeline, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR);
+            extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
+        }
+    }
+    WantedFeatures(const WantedFeatures&) = delete;
+    WantedFeatures& operator=(const WantedFeatures&) = delete;
+
+  private:
+    template <class Features>
+    void add(Features& features, VkStructureType type) {
+        features.sType = type;
+        features.pNext = chain;
+        chain = &features;
     }
 };
 
-void loadRayFunctions(Device::Data& data) {
-    const auto load = [&]<class Function>(Function& function, const char* name) {
-        function = reinterpret_cast<Function>(vkGetDeviceProcAddr(data.device.get(), name));
-    };
-    load(data.rays.create, "vkCreateAccelerationStructureKHR");
-    load(data.rays.destroy, "vkDestroyAccelerationStructureKHR");
-    load(data.rays.sizes, "vkGetAccelerationStructureBuildSizesKHR");
-    load(data.rays.build, "vkCmdBuildAccelerationStructuresKHR");
-    load(data.rays.address, "vkGetAccelerationStructureDeviceAddressKHR");
-    VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
-    structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
+template <class Function>
+void load(const Device::Data& data, Function& function, const char* name) {
+    function = reinterpret_cast<Function>(vkGetDeviceProcAddr(data.device.get(), name));
+}
+
+template <class Properties>
+void readProperties(const Device::Data& data, Properties& extension) {
     VkPhysicalDeviceProperties2 properties{};
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &structures;
+    properties.pNext = &extension;
     vkGetPhysicalDeviceProperties2(data.physical, &properties);
+}
+
+void loadRayFunctions(Device::Data& data) {
+    load(data, data.rays.create, "vkCreateAccelerationStructureKHR");
+    load(data, data.rays.destroy, "vkDestroyAccelerationStructureKHR");
+    load(data, data.rays.sizes, "vkGetAccelerationStructureBuildSizesKHR");
+    load(data, data.rays.build, "vkCmdBuildAccelerationStructuresKHR");
+    load(data, data.rays.address, "vkGetAccelerationStructureDeviceAddressKHR");
+    VkPhysicalDeviceAccelerationStructurePropertiesKHR structures{};
+    structures.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
+    readProperties(data, structures);
     data.scratchAlignment = structures.minAccelerationStructureScratchOffsetAlignment;
+}
+
+void loadRayPipelineFunctions(Device::Data& data) {
+    load(data, data.rayPipelines.create, "vkCreateRayTracingPipelinesKHR");
+    load(data, data.rayPipelines.handles, "vkGetRayTracingShaderGroupHandlesKHR");
+    load(data, data.rayPipelines.trace, "vkCmdTraceRaysKHR");
+    VkPhysicalDeviceRayTracingPipelinePropertiesKHR pipelines{};
+    pipelines.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR;
+    readProperties(data, pipelines);
+    data.rayPipelines.handleBytes = pipelines.shaderGroupHandleSize;
+    data.rayPipelines.handleAlignment = pipelines.shaderGroupHandleAlignment;
+    data.rayPipelines.baseAlignment = pipelines.shaderGroupBaseAlignment;
 }
 
 Status openQueue(Device::Data& data, uint32_t family) {
@@ -75,7 +110,8 @@ Status openQueue(Device::Data& data, uint32_t family) {
     auto status = checked(vkCreateDevice(data.physical, &info, nullptr, &device), "open the device");
     if (!status) return status.error().within(data.facts.name);
     data.device.reset(device);
-    if (data.facts.rayQuery) loadRayFunctions(data);
+    if (data.facts.tracesRays()) loadRayFunctions(data);
+    if (data.facts.rayPipeline) loadRayPipelineFunctions(data);
     vkGetDeviceQueue(device, family, 0, &data.queue);
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;

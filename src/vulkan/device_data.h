@@ -19,6 +19,16 @@ struct RayFunctions {
     PFN_vkGetAccelerationStructureDeviceAddressKHR address = nullptr;
 };
 
+// Functions and limits of VK_KHR_ray_tracing_pipeline.
+struct RayPipelineFunctions {
+    PFN_vkCreateRayTracingPipelinesKHR create = nullptr;
+    PFN_vkGetRayTracingShaderGroupHandlesKHR handles = nullptr;
+    PFN_vkCmdTraceRaysKHR trace = nullptr;
+    uint32_t handleBytes = 0;      // of a group of shaders
+    uint32_t handleAlignment = 1;  // in a table
+    uint32_t baseAlignment = 1;    // of a table
+};
+
 struct Device::Data {
     explicit Data(Instance from) : instance(std::move(from)) {}
 
@@ -28,8 +38,9 @@ struct Device::Data {
     VkPhysicalDeviceLimits limits{};
     VkPhysicalDeviceMemoryProperties memory{};
     OwnedDevice device;
-    RayFunctions rays;              // where facts.rayQuery
-    uint64_t scratchAlignment = 1;  // of memory that structures are built in
+    RayFunctions rays;                  // where facts.tracesRays()
+    RayPipelineFunctions rayPipelines;  // where facts.rayPipeline
+    uint64_t scratchAlignment = 1;      // of memory that structures are built in
     VkQueue queue = VK_NULL_HANDLE;
     OwnedCommandPool commands;
     uint64_t allocated = 0;  // bytes in use

@@ -48,10 +48,10 @@ Status runLookups(Device::Data& device, const Lookups& lookups, std::vector<uint
     const auto results =
         Buffer::make(device, found.size() * sizeof(uint32_t), BufferPlace::onDevice, "states");
     if (!results) return results.error();
-    kernel->bind(0, *descriptors);
-    kernel->bind(1, *payload);
-    kernel->bind(2, *queries);
-    kernel->bind(3, *results);
+    kernel->bindings().bind(0, *descriptors);
+    kernel->bindings().bind(1, *payload);
+    kernel->bindings().bind(2, *queries);
+    kernel->bindings().bind(3, *results);
     const auto total = static_cast<uint32_t>(found.size());
     const uint32_t step = groupSize * std::min(device.limits.maxComputeWorkGroupCount[0], 65535u);
     auto ran = submit(device, "look states up", [&](VkCommandBuffer commands) {

@@ -4,8 +4,8 @@
 
 #include "vulkan/commands.h"
 #include "vulkan/decoders.h"
-#include "vulkan/kernel.h"
 #include "vulkan/opacity_maps.h"
+#include "vulkan/picture_shaders.h"
 #include "vulkan/ray_scene_data.h"
 
 #include <algorithm>
@@ -47,8 +47,6 @@ constexpr size_t kinds = 4;
 constexpr size_t countsOfKind = 4;
 using PixelCounts = std::array<uint32_t, kinds * countsOfKind>;
 
-constexpr uint32_t tileSide = 8;
-
 uint32_t flagsOf(uint32_t methodFlags, const PictureSettings& settings) {
     uint32_t flags = methodFlags;
     if (settings.twoStateShadows) flags |= twoStateShadows;
@@ -77,9 +75,9 @@ PicturePush pushOf(const RayScene::Data& scene, uint32_t methodFlags, const Pict
 // A picture in the making: bands of rows one after the other, as many as fit the device's buffers.
 class PictureRun {
   public:
-    PictureRun(Device::Data& device, Kernel& kernel, const PicturePush& push, const PictureSettings& settings,
-               ProgressSink& progress)
-        : device_(device), kernel_(kernel), settings_(settings), progress_(progress), push_(push) {}
+    PictureRun(Device::Data& device, PictureShaders& shaders, const PicturePush& push,
+               const PictureSettings& settings, ProgressSink& progress)
+        : device_(device), shaders_(shaders), settings_(settings), progress_(progress), push_(push) {}
 
     Result<Picture> run() {
         const uint64_t rowBytes = uint64_t{settings_.width} * sizeof(PixelCounts);
@@ -104,8 +102,8 @@ class PictureRun {
         auto counts =
             Buffer::make(device_, counted * sizeof(PixelCounts), BufferPlace::onDevice, "counts of rays");
         if (!counts) return counts.error();
-        kernel_.bind(2, *film);
-        kernel_.bind(3, *counts);
+        shaders_.bindings().bind(2, *film);
+        shaders_.bindings().bind(3, *counts);
         auto cleared = submit(device_, "clear the picture", [&](VkCommandBuffer commands) {
             vkCmdFillBuffer(commands, film->get(), 0, VK_WHOLE_SIZE, 0);
             vkCmdFillBuffer(commands, counts->get(), 0, VK_WHOLE_SIZE, 0);
@@ -114,15 +112,13 @@ class PictureRun {
         for (push_.sample = 0; push_.sample < settings_.samples; ++push_.sample) {
             if (progress_.cancelled()) return Error{ErrorKind::cancelled, "stopped while rendering"};
             auto ran = submit(device_, "render", [&](VkCommandBuffer commands) {
-                kernel_.record(commands, &push_, tiles(settings_.width), tiles(push_.rows));
+                shaders_.record(commands, &push_, settings_.width, push_.rows);
             });
             if (!ran) return ran;
             progress_.advance(pixels());
         }
         return collect(*film, *counts);
     }
-
-    static uint32_t tiles(uint32_t side) { return (side + tileSide - 1) / tileSide; }
 
     Status collect(const Buffer& film, const Buffer& counts) {
         std::vector<PixelWords> band(pixels());
@@ -157,7 +153,7 @@ class PictureRun {
     }
 
     Device::Data& device_;
-    Kernel& kernel_;
+    PictureShaders& shaders_;
     const PictureSettings& settings_;
     ProgressSink& progress_;
     PicturePush push_;
@@ -171,23 +167,25 @@ struct Painter::Data {
     const RayScene::Data& scene;
     uint32_t flags;
     OpacityMaps maps;
-    Kernel kernel;
+    PictureShaders shaders;
 };
 
-Result<Painter> Painter::make(const Device& device, const RayScene& scene, const Method& method) {
+Result<Painter> Painter::make(const Device& device, const RayScene& scene, const Method& method,
+                              RayPath path) {
     auto maps = OpacityMaps::make(device.data(), scene, method);
     if (!maps) return maps.error();
     const std::array constants{maps->widthShift};
-    auto kernel = Kernel::make(device.data(), {ShaderKind::picture, maps->decoder},
-                               {5, sizeof(PicturePush), true}, constants);
-    if (!kernel) return kernel.error();
+    auto shaders =
+        PictureShaders::make(device.data(), path, maps->decoder, {5, sizeof(PicturePush), true}, constants);
+    if (!shaders) return shaders.error();
     const uint32_t flags = (method.takesAll ? allOpaque : 0) | (method.states == 2 ? twoStates : 0);
     std::unique_ptr<Data> data(
-        new Data{device.data(), scene.data(), flags, std::move(*maps), std::move(*kernel)});
-    data->kernel.bind(0, data->maps.descriptors);
-    data->kernel.bind(1, data->maps.payload);
-    data->kernel.bind(4, data->maps.surfaces);
-    data->kernel.bind(5, scene.data().top->get());
+        new Data{device.data(), scene.data(), flags, std::move(*maps), std::move(*shaders)});
+    Bindings& bindings = data->shaders.bindings();
+    bindings.bind(0, data->maps.descriptors);
+    bindings.bind(1, data->maps.payload);
+    bindings.bind(4, data->maps.surfaces);
+    bindings.bind(5, scene.data().top->get());
     return Painter(std::move(data));
 }
 
@@ -198,7 +196,7 @@ Painter::~Painter() = default;
 
 Result<Picture> Painter::render(const PictureSettings& settings, ProgressSink& progress) {
     const PicturePush push = pushOf(data_->scene, data_->flags, settings);
-    return PictureRun(data_->device, data_->kernel, push, settings, progress).run();
+    return PictureRun(data_->device, data_->shaders, push, settings, progress).run();
 }
 
 }  // namespace filigree::vulkan

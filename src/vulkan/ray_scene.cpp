@@ -119,10 +119,7 @@ class RaySceneBuilder {
 }  // namespace
 
 Result<RayScene> RayScene::build(const Device& device, const scene::Scene& scene) {
-    if (!device.facts().rayQuery) {
-        return Error{ErrorKind::unsupported, fmt::format("{} ({}) has no ray queries (VK_KHR_ray_query)",
-                                                         device.facts().name, device.facts().driver)};
-    }
+    if (auto path = chooseRayPath(device.facts(), {}); !path) return path.error();
     auto words = sceneWords(scene);
     if (!words) return words.error();
     if (words->surfaces.size() >= uint32_t{1} << 24)

@@ -1,5 +1,17 @@
 #include "vulkan/shaders.h"
 
+#include "shaders/any_hit_bitmask.h"
+#include "shaders/any_hit_dag.h"
+#include "shaders/any_hit_flat.h"
+#include "shaders/any_hit_gruen.h"
+#include "shaders/any_hit_indexed_tree.h"
+#include "shaders/any_hit_none.h"
+#include "shaders/any_hit_sdag.h"
+#include "shaders/any_hit_tree.h"
+#include "shaders/any_hit_vq2.h"
+#include "shaders/any_hit_vq2_plus.h"
+#include "shaders/any_hit_vq4.h"
+#include "shaders/any_hit_vq4_plus.h"
 #include "shaders/lookup_bitmask.h"
 #include "shaders/lookup_dag.h"
 #include "shaders/lookup_flat.h"
@@ -23,6 +35,9 @@
 #include "shaders/picture_vq2_plus.h"
 #include "shaders/picture_vq4.h"
 #include "shaders/picture_vq4_plus.h"
+#include "shaders/ray_closest_hit.h"
+#include "shaders/ray_generation.h"
+#include "shaders/ray_miss.h"
 
 #include <array>
 
@@ -38,11 +53,29 @@ constexpr Codes pictures{picture_flat,         picture_gruen, picture_bitmask,  
                          picture_indexed_tree, picture_dag,   picture_sdag,     picture_vq2,
                          picture_vq2_plus,     picture_vq4,   picture_vq4_plus, picture_none};
 
+constexpr Codes anyHits{any_hit_flat,         any_hit_gruen, any_hit_bitmask,  any_hit_tree,
+                        any_hit_indexed_tree, any_hit_dag,   any_hit_sdag,     any_hit_vq2,
+                        any_hit_vq2_plus,     any_hit_vq4,   any_hit_vq4_plus, any_hit_none};
+
 }  // namespace
 
 std::span<const uint32_t> codeOf(Shader shader) {
-    const Codes& codes = shader.kind == ShaderKind::lookup ? lookups : pictures;
-    return codes[static_cast<size_t>(shader.decoder)];
+    const auto decoder = static_cast<size_t>(shader.decoder);
+    switch (shader.kind) {
+        case ShaderKind::lookup:
+            return lookups[decoder];
+        case ShaderKind::picture:
+            return pictures[decoder];
+        case ShaderKind::rayGeneration:
+            return ray_generation;
+        case ShaderKind::miss:
+            return ray_miss;
+        case ShaderKind::closestHit:
+            return ray_closest_hit;
+        case ShaderKind::anyHit:
+            break;
+    }
+    return anyHits[decoder];
 }
 
 }  // namespace filigree::vulkan

@@ -23,7 +23,8 @@ enum class Decoder : uint8_t {
 };
 inline constexpr unsigned decoderCount = 12;
 
-enum class ShaderKind : uint8_t { lookup, picture };
+// Of the pipeline only the any-hit shader holds a decoder.
+enum class ShaderKind : uint8_t { lookup, picture, rayGeneration, miss, closestHit, anyHit };
 
 struct Shader {
     ShaderKind kind = ShaderKind::lookup;

@@ -22,14 +22,14 @@ class VulkanPictures : public tests::VulkanTest {
     void SetUp() override {
         VulkanTest::SetUp();
         if (IsSkipped() || HasFatalFailure()) return;
-        if (!device_->facts().rayQuery) GTEST_SKIP() << "no Vulkan device was found that has ray queries";
+        if (!device_->facts().tracesRays()) GTEST_SKIP() << "no Vulkan device was found that traces rays";
         device_.reset();
         // Random numbers decide hits with BLEND, from the bits of weights that differ between CPU and device.
         for (auto& material : scene_.materials) {
             if (material.alphaMode == scene::AlphaMode::blend) material.alphaMode = scene::AlphaMode::mask;
         }
         world_.emplace(std::move(*trace::World::build(scene_, {})));
-        auto opened = jobs::DeviceScene::open(options(), scene_, *world_);
+        auto opened = jobs::DeviceScene::open(options(), {}, scene_, *world_);
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         onDevice_.emplace(std::move(*opened));
     }
@@ -116,6 +116,30 @@ TEST_F(VulkanPictures, AreTheSameToTheBitWithEveryMethodOfFourStates) {
     }
 }
 
+// One way of shaders, and all of another: what a ray finds depends on neither.
+TEST_F(VulkanPictures, AreTheSameToTheBitWithQueriesAndPipelines) {
+    const vulkan::DeviceFacts& facts = onDevice_->device().facts();
+    if (!facts.rayQuery || !facts.rayPipeline) GTEST_SKIP() << "the device traces in one way only";
+    const auto other = jobs::DeviceScene::open(options(), "pipeline", scene_, *world_);
+    ASSERT_TRUE(other.ok()) << other.error().message;
+    for (const Method method :
+         {Method::none, Method::texture, Method::micromap, Method::bitmask, Method::sdag, Method::vq4Plus}) {
+        const auto input = inputFor(method, 4);
+        auto byQueries = painterFor(input);
+        auto byPipeline = other->prepare(input, maps_);
+        ASSERT_TRUE(byPipeline.ok()) << byPipeline.error().message;
+        for (const Integrator integrator : tests::integrators) {
+            SCOPED_TRACE(fmt::format("{} {}", nameOf(method), nameOf(integrator)));
+            const trace::Film expected = film(byQueries, settings(integrator));
+            const auto found = other->render(*byPipeline, settings(integrator), samples, silentProgress());
+            ASSERT_TRUE(found.ok()) << found.error().message;
+            EXPECT_EQ(found->sums, expected.sums);
+            EXPECT_EQ(found->pixelsHit, expected.pixelsHit);
+            EXPECT_EQ(found->counters.total().rays, expected.counters.total().rays);
+        }
+    }
+}
+
 TEST_F(VulkanPictures, AreThoseOfTheCpu) {
     for (const Method method : {Method::none, Method::texture, Method::sdag, Method::bitmask}) {
         const auto input = inputFor(method, 4);
@@ -188,7 +212,7 @@ TEST_F(VulkanPictures, LeaveNothingBehind) {
 TEST_F(VulkanPictures, ShowTheSkyWhereThereIsNothing) {
     const scene::Scene nothing;
     const auto world = trace::World::build(nothing, {});
-    const auto empty = jobs::DeviceScene::open(options(), nothing, *world);
+    const auto empty = jobs::DeviceScene::open(options(), {}, nothing, *world);
     ASSERT_TRUE(empty.ok()) << empty.error().message;
     jobs::OpacityInput input;
     input.opacity.emplace(std::move(*trace::Opacity::make(Method::texture, 4, *world, {}, {})));

@@ -55,10 +55,10 @@ struct RenderOptions {
     HeatmapOf heatmapOf = HeatmapOf::tests;
     std::filesystem::path triptych;  // .png; empty: none
     double previewSeconds = 0;       // 0: none
-    // "cpu", or "vulkan": ray queries of a device, which `device` names by number or part of its name; empty:
-    // the best.
+    // "cpu", or "vulkan": a device, which `device` names by number or part of its name; empty: the best.
     std::string backend = "cpu";
     std::string device;
+    std::string path;  // how a device traces: "query" or "pipeline"; empty: queries where it has them
 };
 
 // What a picture cost where the texture is asked every time, and how far it differs.
@@ -98,6 +98,7 @@ struct RenderSummary {
     std::string backend;
     std::string device;  // its name and driver; empty: the CPU
     std::string driver;
+    std::string path;
     std::optional<RenderedGrids> grids;
     std::vector<std::string> notes;
 

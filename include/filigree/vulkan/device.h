@@ -27,14 +27,27 @@ struct DeviceFacts {
     bool rayQuery = false;     // acceleration structures, and rays from compute shaders
     bool rayPipeline = false;  // acceleration structures, and pipelines of ray-tracing shaders
     bool micromaps = false;    // VK_EXT_opacity_micromap or VK_KHR_opacity_micromap
+
+    [[nodiscard]] bool tracesRays() const { return rayQuery || rayPipeline; }
 };
+
+// How rays are traced; some drivers have only one of them.
+enum class RayPath : uint8_t {
+    query,    // rays of compute shaders
+    pipeline  // ray-tracing shaders, called by the device
+};
+FILIGREE_API std::string_view nameOf(RayPath path);
+
+// The path of a device, which `wanted` names, "query" or "pipeline"; empty: queries where it has them.
+// ErrorKind::usage for other names, ErrorKind::unsupported where the device has no such path.
+FILIGREE_API Result<RayPath> chooseRayPath(const DeviceFacts& facts, std::string_view wanted);
 
 // The devices with Vulkan 1.1 or later, in the order of the drivers. ErrorKind::unsupported without a driver,
 // and where Vulkan is not built in.
 FILIGREE_API Result<std::vector<DeviceFacts>> devices();
 
 // Which device `wanted` names: a number from 0, or a part of a name, upper and lower case alike, that only
-// one device has. Empty: the first with ray queries, GPUs before integrated ones before others.
+// one device has. Empty: the first that traces rays, GPUs before integrated ones before others.
 // ErrorKind::unsupported where there is none.
 FILIGREE_API Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted);
 

@@ -1,4 +1,5 @@
-// Pictures by ray queries in compute shaders, with the alpha test of any of the decoders in shaders/decode.
+// Pictures by ray queries in compute shaders or by ray-tracing pipelines, with the alpha test of any of the
+// decoders in shaders/decode.
 #pragma once
 
 #include "filigree/core/api.h"
@@ -73,10 +74,12 @@ struct Picture {
 // A method on a device, its shader compiled: renders any number of pictures of one scene.
 class FILIGREE_API Painter {
   public:
-    // `device` and `scene` must outlive the result. Sets are checked first: ErrorKind::format.
+    // `device` and `scene` must outlive the result; the device has the path. Sets are checked first:
+    // ErrorKind::format.
     // ErrorKind::unsupported for squares with two states, which hit by chance on the CPU, ErrorKind::limit
     // where something does not fit.
-    static Result<Painter> make(const Device& device, const RayScene& scene, const Method& method);
+    static Result<Painter> make(const Device& device, const RayScene& scene, const Method& method,
+                                RayPath path);
 
     Painter(Painter&&) noexcept;
     Painter& operator=(Painter&&) noexcept;

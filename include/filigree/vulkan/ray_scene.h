@@ -19,8 +19,8 @@ namespace filigree::vulkan {
 class FILIGREE_API RayScene {
   public:
     // `scene` needs colour and alpha decoded, as for trace::World, and must outlive the result, as must
-    // `device`. BLEND materials are stochastically transparent. ErrorKind::unsupported where the device has
-    // no ray queries, ErrorKind::limit where the scene does not fit it.
+    // `device`. BLEND materials are stochastically transparent. ErrorKind::unsupported where the device
+    // traces no rays, ErrorKind::limit where the scene does not fit it.
     static Result<RayScene> build(const Device& device, const scene::Scene& scene);
 
     RayScene(RayScene&&) noexcept;
