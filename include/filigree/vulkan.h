@@ -6,6 +6,7 @@
 #pragma once
 
 #include "filigree/vulkan/device.h"
+#include "filigree/vulkan/grid_lookup.h"
 #include "filigree/vulkan/lookup.h"
 #include "filigree/vulkan/picture.h"
 #include "filigree/vulkan/ray_scene.h"

@@ -1,5 +1,6 @@
 // The room where Vulkan is left out: there is no device.
 #include "filigree/vulkan/device.h"
+#include "filigree/vulkan/grid_lookup.h"
 #include "filigree/vulkan/lookup.h"
 #include "filigree/vulkan/picture.h"
 #include "filigree/vulkan/ray_scene.h"
@@ -60,6 +61,11 @@ Result<std::vector<micromap::State>> lookup(const Device&, const encoding::Encod
 Result<std::vector<quadmap::Region>> lookup(const Device&, const quadmap::SquareReader&,
                                             std::span<const uint32_t>, std::span<const quadmap::Half>,
                                             std::span<const float>, std::span<const float>) {
+    return notBuilt();
+}
+
+Result<std::vector<GridVertex>> lookup(const Device&, const grid::EncodedGrids&, std::span<const GridPlace>,
+                                       const Executor&) {
     return notBuilt();
 }
 

@@ -15,6 +15,7 @@
 #include "shaders/lookup_bitmask.h"
 #include "shaders/lookup_dag.h"
 #include "shaders/lookup_flat.h"
+#include "shaders/lookup_grids.h"
 #include "shaders/lookup_gruen.h"
 #include "shaders/lookup_indexed_tree.h"
 #include "shaders/lookup_sdag.h"
@@ -64,6 +65,8 @@ std::span<const uint32_t> codeOf(Shader shader) {
     switch (shader.kind) {
         case ShaderKind::lookup:
             return lookups[decoder];
+        case ShaderKind::gridLookup:
+            return lookup_grids;
         case ShaderKind::picture:
             return pictures[decoder];
         case ShaderKind::rayGeneration:
