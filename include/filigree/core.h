@@ -20,5 +20,6 @@
 #include "filigree/core/mapped_file.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
+#include "filigree/core/stage.h"
 #include "filigree/core/target.h"
 #include "filigree/core/vec3.h"

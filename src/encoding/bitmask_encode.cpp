@@ -1,3 +1,5 @@
+#include "filigree/core/bytes.h"
+#include "filigree/core/stage.h"
 #include "filigree/encoding/bitmask.h"
 
 #include "encoding/bitmask_cells.h"
@@ -44,7 +46,7 @@ void writeDescriptor(const image::AlphaTexture& texture, uint64_t offset, uint8_
         (texture.filter == image::Filter::nearest ? bitmask::nearestFlag : 0));
 }
 
-void writeMask(const BitmaskSource& source, Format format, std::span<uint8_t> to, const Executor& executor) {
+void writeMask(const BitmaskSource& source, Format format, std::span<uint8_t> to, const Stage& stage) {
     const bitmask::Cells cells(source);
     const uint32_t columns = cells.columns().cells();
     const uint32_t rows = cells.rows().cells();
@@ -57,7 +59,7 @@ void writeMask(const BitmaskSource& source, Format format, std::span<uint8_t> to
             to[bit / 8] |= static_cast<uint8_t>(value << (bit % 8));
         }
     };
-    executor.parallelFor((rows + rowsAtOnce - 1) / rowsAtOnce, 1, [&](size_t begin, size_t end) {
+    stage.parallelFor((rows + rowsAtOnce - 1) / rowsAtOnce, 1, [&](size_t begin, size_t end) {
         for (size_t row = begin * rowsAtOnce; row < std::min<size_t>(rows, end * rowsAtOnce); ++row) {
             writeRow(static_cast<uint32_t>(row));
         }
@@ -67,7 +69,7 @@ void writeMask(const BitmaskSource& source, Format format, std::span<uint8_t> to
 }  // namespace
 
 Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources, Format format,
-                                  const Executor& executor) {
+                                  const Executor& executor, ProgressSink& progress) {
     std::vector<uint64_t> offsets{0};
     for (size_t k = 0; k < sources.size(); ++k) {
         if (const auto usable = image::check(sources[k].texture->image); !usable) return usable.error();
@@ -82,11 +84,14 @@ Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources, Format
     EncodedSet set{Encoding::bitmask, format, static_cast<uint32_t>(sources.size()), {}, {}};
     set.descriptors.resize(bitmask::descriptorBytes * sources.size());
     set.payload.resize(offsets.back());
+    const Stage stage(executor, progress, "encode", sources.size(), "textures");
     for (size_t k = 0; k < sources.size(); ++k) {
         writeDescriptor(*sources[k].texture, offsets[k],
                         set.descriptors.data() + bitmask::descriptorBytes * k);
         writeMask(sources[k], format, std::span(set.payload).subspan(offsets[k], offsets[k + 1] - offsets[k]),
-                  executor);
+                  stage);
+        if (const Status status = stage.status(); !status) return status.error();
+        stage.advance(1);
     }
     return set;
 }

@@ -1,3 +1,5 @@
+#include "filigree/core/bytes.h"
+#include "filigree/core/stage.h"
 #include "filigree/encoding/dag.h"
 
 #include "encoding/dag_build.h"
@@ -72,21 +74,26 @@ Error tooLarge() {
 }
 
 // Builds some chunks at a time while it merges those before, so that memory holds few unmerged ones.
-Status buildAll(std::span<const QuadtreeView> maps, micromap::Format format, const Executor& executor,
+Status buildAll(std::span<const QuadtreeView> maps, micromap::Format format, const Stage& stage,
                 std::vector<Chunk>& chunks, dag::Nodes& all) {
-    const size_t atOnce = 4 * size_t{executor.concurrency()};
+    const size_t atOnce = 4 * size_t{stage.concurrency()};
     for (size_t first = 0; first < chunks.size() + atOnce; first += atOnce) {
         const size_t merged = first < atOnce ? 0 : first - atOnce;
         const size_t count = first < chunks.size() ? std::min(atOnce, chunks.size() - first) : 0;
-        executor.parallelFor(1 + count, 1, [&](size_t begin, size_t end) {
+        stage.parallelFor(1 + count, 1, [&](size_t begin, size_t end) {
             for (size_t k = begin; k < end; ++k) {
-                if (k > 0) build(maps, format, chunks[first + k - 1]);
+                if (k > 0) {
+                    Chunk& chunk = chunks[first + k - 1];
+                    build(maps, format, chunk);
+                    stage.advance(chunk.end - chunk.first);
+                }
                 if (k > 0 || first == 0) continue;
                 for (size_t m = merged; m < std::min(first, chunks.size()); ++m) {
                     if (all.words().size() <= dag::maxWords) merge(chunks[m], all);
                 }
             }
         });
+        if (const Status status = stage.status(); !status) return status;
         if (all.words().size() > dag::maxWords) return tooLarge();
     }
     return {};
@@ -100,10 +107,11 @@ void writeWords(std::span<const uint32_t> words, std::vector<uint8_t>& to) {
 }  // namespace
 
 Result<EncodedSet> encodeDag(std::span<const QuadtreeView> maps, micromap::Format format,
-                             const Executor& executor) {
+                             const Executor& executor, ProgressSink& progress) {
+    const Stage stage(executor, progress, "encode", maps.size(), "micromaps");
     std::vector<Chunk> chunks = chunksOf(maps);
     dag::Nodes all;
-    if (const auto built = buildAll(maps, format, executor, chunks, all); !built) return built.error();
+    if (const auto built = buildAll(maps, format, stage, chunks, all); !built) return built.error();
     EncodedSet set{Encoding::dag, format, static_cast<uint32_t>(maps.size()), {}, {}};
     writeWords(all.words(), set.payload);
     set.descriptors.resize(dag::descriptorBytes * maps.size());

@@ -12,22 +12,23 @@
 namespace filigree::encoding {
 
 Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
-                          micromap::Format format, const EncodeOptions& options, const Executor& executor) {
-    (void)maps, (void)format, (void)options, (void)executor;
+                          micromap::Format format, const EncodeOptions& options, const Executor& executor,
+                          ProgressSink& progress) {
     switch (encoding) {
         case Encoding::flat:
-            return encodeFlat(maps, format, executor);
+            return encodeFlat(maps, format, executor, progress);
         case Encoding::gruen:
             return encodeGruen(maps, format,
-                               options.maybeOpaque ? GruenBit::maybeOpaque : GruenBit::opaqueSide, executor);
+                               options.maybeOpaque ? GruenBit::maybeOpaque : GruenBit::opaqueSide, executor,
+                               progress);
         case Encoding::tree:
-            return encodeTree(maps, format, executor);
+            return encodeTree(maps, format, executor, progress);
         case Encoding::indexedTree:
-            return encodeIndexedTree(maps, format, executor);
+            return encodeIndexedTree(maps, format, executor, progress);
         case Encoding::dag:
-            return encodeDag(maps, format, executor);
+            return encodeDag(maps, format, executor, progress);
         case Encoding::sdag:
-            return encodeSdag(maps, format, options.aggregates, executor);
+            return encodeSdag(maps, format, options.aggregates, executor, progress);
         case Encoding::bitmask:
             return Error{ErrorKind::usage, "bitmask encodes textures, not micromaps"};
         default:

@@ -1,3 +1,5 @@
+#include "filigree/core/bytes.h"
+#include "filigree/core/stage.h"
 #include "filigree/encoding/gruen.h"
 
 #include "encoding/checks.h"
@@ -80,7 +82,8 @@ uint16_t formOf(Format format, GruenBit bit) {
 }  // namespace
 
 Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps, Format format, GruenBit bit,
-                               const Executor& executor) {
+                               const Executor& executor, ProgressSink& progress) {
+    const Stage stage(executor, progress, "encode", maps.size(), "micromaps");
     std::vector<uint64_t> offsets{0};
     for (const auto& map : maps) offsets.push_back(offsets.back() + micromap::flatBytes(map.level, format));
     if (const auto reach = checkOffsetsReach(Encoding::gruen, offsets.back()); !reach) return reach.error();
@@ -89,7 +92,7 @@ Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps, For
     EncodedSet set{Encoding::gruen, format, static_cast<uint32_t>(maps.size()), {}, {}};
     set.descriptors.resize(micromap::recordBytes * maps.size());
     set.payload.resize(offsets.back());
-    executor.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
+    stage.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) {
             uint8_t* record = set.descriptors.data() + micromap::recordBytes * k;
             storeLe(record, static_cast<uint32_t>(offsets[k]));
@@ -98,7 +101,9 @@ Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps, For
             const auto bytes = std::span(set.payload).subspan(offsets[k], offsets[k + 1] - offsets[k]);
             writeMask(maps[k], form, {bytes, micromap::bitsPerState(format)});
         }
+        stage.advance(end - begin);
     });
+    if (const Status status = stage.status(); !status) return status.error();
     return set;
 }
 

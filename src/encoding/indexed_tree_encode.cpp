@@ -21,9 +21,9 @@ void writeDirectory(const micromap::QuadtreeView& tree, std::span<uint8_t> to) {
 }  // namespace
 
 Result<EncodedSet> encodeIndexedTree(std::span<const micromap::QuadtreeView> maps, micromap::Format format,
-                                     const Executor& executor) {
+                                     const Executor& executor, ProgressSink& progress) {
     const TreeExtras directory{directoryBytes, writeDirectory, indexedTreeTailBytes};
-    return writeTrees(Encoding::indexedTree, maps, format, directory, executor);
+    return writeTrees(Encoding::indexedTree, maps, format, directory, executor, progress);
 }
 
 }  // namespace filigree::encoding

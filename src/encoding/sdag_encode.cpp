@@ -1,5 +1,6 @@
 #include "filigree/core/bits.h"
 #include "filigree/core/bytes.h"
+#include "filigree/core/stage.h"
 #include "filigree/encoding/sdag.h"
 
 #include "encoding/checks.h"
@@ -118,21 +119,21 @@ bool dropLargeMaps(Work& work, const Coded& coded) {
 Head headOf(const Work& work, const Coded& coded, bool shares) {
     const Placement& placement = coded.placement;
     Head head;
-    head.shares = shares;
-    head.baseBytes = coded.baseBytes;
-    head.referenceBits = placement.referenceBits;
+    head.shares = shares ? 1 : 0;
+    head.base_bytes = coded.baseBytes;
+    head.reference_bits = placement.referenceBits;
     head.patterns = static_cast<uint32_t>(coded.coder.patterns().values().size());
     head.heads = static_cast<uint32_t>(coded.coder.heads().values().size());
     for (unsigned slot = 0; slot < nodeHeights; ++slot) {
         head.nodes[slot] = static_cast<uint32_t>(placement.nodes[slot].size());
     }
-    head.sharedBytes = static_cast<uint32_t>(placement.sharedBytes);
-    head.blockBytes = static_cast<uint32_t>(placement.blockBytes);
+    head.shared_bytes = static_cast<uint32_t>(placement.sharedBytes);
+    head.block_bytes = static_cast<uint32_t>(placement.blockBytes);
     for (size_t k = 0; k < work.maps.size(); ++k) {
         head.levels |= 1u << work.maps[k].level;
         if (work.coded[k]) continue;
-        head.flatMaps = true;
-        head.flatBytes += micromap::flatBytes(work.maps[k].level, work.format);
+        head.flat_maps = 1;
+        head.flat_bytes += micromap::flatBytes(work.maps[k].level, work.format);
     }
     return head;
 }
@@ -170,9 +171,9 @@ void writeDescriptors(const Work& work, const Head& head, std::span<const uint32
     for (size_t k = 0; k < values.size(); ++k) {
         const uint32_t below = head.levels & ((1u << work.maps[k].level) - 1);
         bits.append(static_cast<unsigned>(std::popcount(below)), head.levelBits());
-        if (head.flatMaps) bits.append(work.coded[k] ? 0 : 1, 1);
+        if (head.flat_maps != 0) bits.append(work.coded[k] ? 0 : 1, 1);
         bits.append(work.coded[k] ? work.symmetries[k] : 0, symmetryBits);
-        bits.append(values[k], head.valueBits);
+        bits.append(values[k], head.value_bits);
     }
     const auto bytes = (bits.size() + 7) / 8;
     for (size_t k = 0; k < bytes; ++k) {
@@ -276,12 +277,12 @@ void writeFlatMaps(const Work& work, std::span<const uint32_t> values, const Off
 
 Result<EncodedSet> write(const Work& work, const Coded& coded, bool shares, const Executor& executor) {
     Head head = headOf(work, coded, shares);
-    for (const uint64_t bytes : {coded.placement.sharedBytes, coded.placement.blockBytes, head.flatBytes}) {
+    for (const uint64_t bytes : {coded.placement.sharedBytes, coded.placement.blockBytes, head.flat_bytes}) {
         if (const auto reach = checkOffsetsReach(Encoding::sdag, bytes); !reach) return reach.error();
     }
     const auto values = valuesOf(work, coded);
     const uint32_t largest = values.empty() ? 0 : *std::ranges::max_element(values);
-    head.valueBits = static_cast<unsigned>(std::bit_width(largest));
+    head.value_bits = static_cast<unsigned>(std::bit_width(largest));
 
     EncodedSet set{Encoding::sdag, work.format, static_cast<uint32_t>(work.maps.size()), {}, {}};
     writeDescriptors(work, head, values, set.descriptors);
@@ -290,7 +291,7 @@ Result<EncodedSet> write(const Work& work, const Coded& coded, bool shares, cons
     uint8_t* payload = set.payload.data();
     writeTables(coded, work.format, at, payload);
     writeNodes(coded, at, payload);
-    if (shares) writeShares(coded.graph, coded.placement, payload + at.shares);
+    if (shares) writeShares(coded.graph, coded.placement, payload + at.shares[0]);
     writeShared(coded, at, payload);
     writeBlocks(coded, at, payload, executor);
     writeFlatMaps(work, values, at, set.payload, executor);
@@ -306,11 +307,16 @@ uint64_t allFlatBytes(const Work& work) {
 }  // namespace
 
 Result<EncodedSet> encodeSdag(std::span<const QuadtreeView> maps, Format format, bool shares,
-                              const Executor& executor) {
-    Work work{maps, format, sparseMaps(maps, format, executor), {}, std::vector<bool>(maps.size(), true)};
-    work.symmetries = orient(work.sparse, executor);
+                              const Executor& executor, ProgressSink& progress) {
+    const Stage stage(executor, progress, "encode", maps.size(), "micromaps");
+    Work work{maps, format, sparseMaps(maps, format, stage), {}, std::vector<bool>(maps.size(), true)};
+    work.symmetries = orient(work.sparse, stage);
+    if (const Status status = stage.status(); !status) return status.error();
+    // What follows builds on all that came before, so that no loop of it may be left out.
     Coded coded = codeMaps(work, executor);
+    if (stage.cancelled()) return stage.status().error();
     if (dropLargeMaps(work, coded)) coded = codeMaps(work, executor);
+    if (stage.cancelled()) return stage.status().error();
     // Tables and padding may still outweigh what they save; shares are not counted.
     const Offsets at = offsetsOf(headOf(work, coded, false), format);
     if (at.end > allFlatBytes(work)) {

@@ -113,20 +113,21 @@ constexpr size_t batch = 64;
 
 }  // namespace
 
-std::vector<uint8_t> orient(std::span<SparseMap> maps, const Executor& executor) {
+std::vector<uint8_t> orient(std::span<SparseMap> maps, const Stage& stage) {
     std::vector<uint8_t> symmetries(maps.size());
     Earlier earlier;
     std::array<MapHashes, batch> hashes;
-    for (size_t first = 0; first < maps.size(); first += batch) {
+    for (size_t first = 0; first < maps.size() && !stage.cancelled(); first += batch) {
         const size_t count = std::min(batch, maps.size() - first);
-        executor.parallelFor(count, 1, [&](size_t begin, size_t end) {
+        stage.parallelFor(count, 1, [&](size_t begin, size_t end) {
             for (size_t k = begin; k < end; ++k) hashes[k] = MapHasher(maps[first + k]).result();
         });
         for (size_t k = 0; k < count; ++k) {
             symmetries[first + k] = static_cast<uint8_t>(earlier.choose(hashes[k]));
         }
+        stage.advance(count);
     }
-    executor.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
+    stage.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) turn(maps[k], symmetries[k]);
     });
     return symmetries;

@@ -1,5 +1,7 @@
 #include "encoding/tree_write.h"
 
+#include "filigree/core/stage.h"
+
 #include "encoding/checks.h"
 #include "encoding/sides.h"
 #include "encoding/tree_layout.h"
@@ -54,9 +56,10 @@ uint64_t stringBytes(uint64_t inner, Format format) {
 }  // namespace
 
 Result<EncodedSet> writeTrees(Encoding encoding, std::span<const QuadtreeView> maps, Format format,
-                              const TreeExtras& extras, const Executor& executor) {
+                              const TreeExtras& extras, const Executor& executor, ProgressSink& progress) {
+    const Stage stage(executor, progress, "encode", maps.size(), "micromaps");
     std::vector<uint32_t> inner(maps.size());
-    executor.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
+    stage.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) {
             withStored(maps[k], format, [&](const QuadtreeView& map) { inner[k] = innerCount(map); });
         }
@@ -71,7 +74,7 @@ Result<EncodedSet> writeTrees(Encoding encoding, std::span<const QuadtreeView> m
     EncodedSet set{encoding, format, static_cast<uint32_t>(maps.size()), {}, {}};
     set.descriptors.resize(treeDescriptorBytes * maps.size());
     set.payload.resize(bytes);
-    executor.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
+    stage.parallelFor(maps.size(), 16, [&](size_t begin, size_t end) {
         for (size_t k = begin; k < end; ++k) {
             storeTreeDescriptor(set.descriptors.data() + treeDescriptorBytes * k,
                                 {static_cast<uint32_t>(offsets[k]), inner[k], maps[k].level});
@@ -83,7 +86,9 @@ Result<EncodedSet> writeTrees(Encoding encoding, std::span<const QuadtreeView> m
                 extras.write(map, to.subspan(structure + values));
             });
         }
+        stage.advance(end - begin);
     });
+    if (const Status status = stage.status(); !status) return status.error();
     return set;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/quadtree.h"
@@ -19,6 +20,7 @@ struct TreeExtras {
 };
 
 Result<EncodedSet> writeTrees(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
-                              micromap::Format format, const TreeExtras& extras, const Executor& executor);
+                              micromap::Format format, const TreeExtras& extras, const Executor& executor,
+                              ProgressSink& progress);
 
 }  // namespace filigree::encoding

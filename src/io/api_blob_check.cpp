@@ -7,6 +7,7 @@
 #include "io/test_json.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
@@ -16,9 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The bytes of a file by its name, none where there is no such file.
+using BlobSource = std::function<std::optional<Result<std::vector<uint8_t>>>(const std::string& name)>;
+
 class BlobCheck {
   public:
-    explicit BlobCheck(fs::path folder) : folder_(std::move(folder)) {}
+    explicit BlobCheck(BlobSource source) : source_(std::move(source)) {}
 
     void run(const Json& manifest) {
         ObjectReader reader(manifest, "");
@@ -62,17 +66,16 @@ class BlobCheck {
         const std::string name = reader.text("file", "");
         const uint64_t bytes = reader.integer("bytes", 0);
         if (!tellOf(owner, "raw-manifest") || !tellOf(reader, "raw-manifest")) return std::nullopt;
-        std::error_code ignored;
-        if (name.empty() || name.find('/') != std::string::npos ||
-            !fs::is_regular_file(folder_ / name, ignored)) {
+        const bool isName = !name.empty() && name.find('/') == std::string::npos;
+        auto found = isName ? source_(name) : std::nullopt;
+        if (!found) {
             tell(reader.pathOf("file"), "raw-file", fmt::format("\"{}\" is no file of this folder", name));
             return std::nullopt;
         }
-        Result<std::vector<uint8_t>> found = readFile(folder_ / name);
-        if (found && found->size() == bytes) return std::move(*found);
+        if (*found && (*found)->size() == bytes) return std::move(**found);
         tell(reader.pathOf("file"), "raw-file",
-             found ? fmt::format("{} has {} bytes, expected {}", name, found->size(), bytes)
-                   : found.error().message);
+             *found ? fmt::format("{} has {} bytes, expected {}", name, (*found)->size(), bytes)
+                    : found->error().message);
         return std::nullopt;
     }
 
@@ -169,10 +172,19 @@ class BlobCheck {
              fmt::format("{} bytes, expected 12 for each of {} triangles", bytes->size(), triangles));
     }
 
-    fs::path folder_;
+    BlobSource source_;
     std::vector<Breach> breaches_;
     std::vector<Records> records_;
 };
+
+Result<std::vector<Breach>> checkManifest(std::span<const uint8_t> text, const std::string& name,
+                                          BlobSource source) {
+    const Result<Json> manifest = parseJson({reinterpret_cast<const char*>(text.data()), text.size()});
+    if (!manifest) return manifest.error().within(name);
+    BlobCheck check(std::move(source));
+    check.run(*manifest);
+    return std::move(check).take();
+}
 
 }  // namespace
 
@@ -180,11 +192,25 @@ Result<std::vector<Breach>> checkApiBlobs(const fs::path& folder) {
     const fs::path path = folder / manifestName;
     const Result<std::vector<uint8_t>> text = readFile(path, uint64_t{1} << 30);
     if (!text) return text.error();
-    const Result<Json> manifest = parseJson({reinterpret_cast<const char*>(text->data()), text->size()});
-    if (!manifest) return manifest.error().within(path.string());
-    BlobCheck check(folder);
-    check.run(*manifest);
-    return std::move(check).take();
+    return checkManifest(*text, path.string(),
+                         [&](const std::string& name) -> std::optional<Result<std::vector<uint8_t>>> {
+                             std::error_code ignored;
+                             if (!fs::is_regular_file(folder / name, ignored)) return std::nullopt;
+                             return readFile(folder / name);
+                         });
+}
+
+Result<std::vector<Breach>> checkApiBlobs(std::span<const ApiBlob> blobs) {
+    const auto find = [&](const std::string& name) { return std::ranges::find(blobs, name, &ApiBlob::name); };
+    const auto text = find(manifestName);
+    if (text == blobs.end())
+        return Error{ErrorKind::format, fmt::format("no {} among {} blobs", manifestName, blobs.size())};
+    return checkManifest(text->bytes, manifestName,
+                         [&](const std::string& name) -> std::optional<Result<std::vector<uint8_t>>> {
+                             const auto found = find(name);
+                             if (found == blobs.end()) return std::nullopt;
+                             return found->bytes;
+                         });
 }
 
 }  // namespace filigree::io

@@ -3,10 +3,11 @@
 
 #include "io/api_blob.h"
 #include "io/micromap_bytes.h"
+#include "io/output_check.h"
 #include "io/test_json.h"
 
 #include <algorithm>
-#include <cassert>
+#include <functional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -20,14 +21,15 @@ Error folderError(const fs::path& folder, std::string_view what, const std::erro
     return {ErrorKind::file, fmt::format("{}: {}: {}", folder.string(), what, code.message())};
 }
 
-// Writes one blob after the other; the first failure sticks.
+// Gives one blob after the other to where they go; the first failure sticks.
 class BlobWriter {
   public:
-    explicit BlobWriter(fs::path folder) : folder_(std::move(folder)) {}
+    using Sink = std::function<Status(const std::string& name, std::span<const uint8_t> bytes)>;
+    explicit BlobWriter(Sink sink) : sink_(std::move(sink)) {}
 
     // Writes a file and describes it.
     Json file(const std::string& name, std::span<const uint8_t> bytes) {
-        if (status_) status_ = writeFile(folder_ / name, bytes);
+        if (status_) status_ = sink_(name, bytes);
         Json json = Json::object();
         json["file"] = name;
         json["bytes"] = bytes.size();
@@ -35,17 +37,17 @@ class BlobWriter {
     }
     void manifest(const Json& json) {
         const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-        if (status_) status_ = writeFile(folder_ / manifestName, text);
+        const std::span bytes(reinterpret_cast<const uint8_t*>(text.data()), text.size());
+        if (status_) status_ = sink_(manifestName, bytes);
     }
     [[nodiscard]] const Status& status() const { return status_; }
 
   private:
-    fs::path folder_;
+    Sink sink_;
     Status status_;
 };
 
 Json micromapManifest(const OutputMicromaps& item, size_t number, BlobWriter& writer) {
-    assert(!item.set->records.empty());
     Json json = Json::object();
     json["name"] = item.name;
     json["data"] = writer.file(fmt::format("micromap_{}.data.bin", number), item.set->data);
@@ -72,7 +74,6 @@ Json indexManifest(const OutputPrimitive& item, const std::string& stem, BlobWri
 }
 
 Json primitiveManifest(const OutputPrimitive& item, const MicromapOutput& output, BlobWriter& writer) {
-    assert(item.micromaps < output.micromaps.size());
     const std::string stem = fmt::format("mesh_{}_primitive_{}", item.mesh, item.primitive);
     Json json = Json::object();
     json["mesh"] = item.mesh;
@@ -91,8 +92,9 @@ Json primitiveManifest(const OutputPrimitive& item, const MicromapOutput& output
     return json;
 }
 
-Status writeInto(const fs::path& folder, const MicromapOutput& output, const std::string& source) {
-    BlobWriter writer(folder);
+Status writeInto(const BlobWriter::Sink& sink, const MicromapOutput& output, const std::string& source) {
+    if (const Status agrees = checkOutput(output); !agrees) return agrees;
+    BlobWriter writer(sink);
     Json manifest = Json::object();
     manifest["format"] = blobFormat;
     manifest["version"] = blobVersion;
@@ -163,6 +165,16 @@ Json usageToJson(const std::vector<micromap::UsageCount>& usages) {
     return json;
 }
 
+Result<std::vector<ApiBlob>> encodeApiBlobs(const MicromapOutput& output, const std::string& source) {
+    std::vector<ApiBlob> blobs;
+    const auto toList = [&](const std::string& name, std::span<const uint8_t> bytes) {
+        blobs.push_back({name, {bytes.begin(), bytes.end()}});
+        return Status();
+    };
+    if (const Status status = writeInto(toList, output, source); !status) return status.error();
+    return blobs;
+}
+
 Status writeApiBlobs(const fs::path& given, const MicromapOutput& output, const std::string& source) {
     fs::path folder = given.lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();  // "blobs/"
@@ -173,7 +185,10 @@ Status writeApiBlobs(const fs::path& given, const MicromapOutput& output, const 
     }
     const Result<fs::path> fresh = makeBeside(folder);
     if (!fresh) return fresh.error();
-    Status status = writeInto(*fresh, output, source);
+    const auto toFile = [&](const std::string& name, std::span<const uint8_t> bytes) {
+        return writeFile(*fresh / name, bytes);
+    };
+    Status status = writeInto(toFile, output, source);
     if (status) status = replaceFolder(*fresh, folder);
     if (!status) fs::remove_all(*fresh, code);
     return status;

@@ -83,23 +83,21 @@ class BufferLoader {
     std::map<std::string, std::span<const uint8_t>> files_;
 };
 
-Status loadInto(GltfDocument::Data& data, std::vector<uint8_t> bytes) {
-    data.file = std::move(bytes);
+Status loadInto(GltfDocument::Data& data, std::span<const uint8_t> file) {
     Glb glb;
-    data.binary = isGlb(data.file);
+    data.binary = isGlb(file);
     if (data.binary) {
-        const Result<Glb> parsed = parseGlb(data.file);
+        const Result<Glb> parsed = parseGlb(file);
         if (!parsed) return parsed.error();
         glb = *parsed;
         data.others = glb.others;
     } else {
-        glb.json = {reinterpret_cast<const char*>(data.file.data()), data.file.size()};
+        glb.json = {reinterpret_cast<const char*>(file.data()), file.size()};
     }
     Result<Json> json = parseJson(glb.json);
     if (!json) return json.error();
     data.json = std::move(*json);
     if (const Status root = checkRoot(data.json); !root) return root;
-    if (!data.binary) data.file = {};
     return BufferLoader(data, glb.binary).load();
 }
 
@@ -185,10 +183,17 @@ const std::string& GltfDocument::name() const {
 
 Result<GltfDocument> GltfDocument::parse(std::vector<uint8_t> bytes, const std::filesystem::path& baseFolder,
                                          const std::string& name) {
+    Result<GltfDocument> document = view(bytes, baseFolder, name);
+    if (document && document->data_->binary) document->data_->file = std::move(bytes);
+    return document;
+}
+
+Result<GltfDocument> GltfDocument::view(std::span<const uint8_t> bytes,
+                                        const std::filesystem::path& baseFolder, const std::string& name) {
     auto data = std::make_unique<Data>();
     data->name = name;
     data->folder = baseFolder;
-    if (const Status status = loadInto(*data, std::move(bytes)); !status) return status.error().within(name);
+    if (const Status status = loadInto(*data, bytes); !status) return status.error().within(name);
     return GltfDocument(std::move(data));
 }
 

@@ -27,7 +27,7 @@ struct GltfDocument::Data {
     std::string name;
     std::filesystem::path folder;             // relative URIs start here
     bool binary = false;                      // came as GLB
-    std::vector<uint8_t> file;                // a GLB file's bytes, which `buffers` and `others` look into
+    std::vector<uint8_t> file;                // a GLB's bytes where they are ours, which the rest looks into
     std::vector<std::vector<uint8_t>> owned;  // buffers from data URIs and files
     std::vector<Buffer> buffers;
     std::vector<GlbChunk> others;

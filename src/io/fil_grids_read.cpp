@@ -29,7 +29,9 @@ bvh::Node unpackNode(const uint8_t* from) {
     node.innerMask = from[15];
     node.firstChild = loadLe<uint32_t>(from + 16);
     node.firstLeaf = loadLe<uint32_t>(from + 20);
-    std::copy_n(from + 24, 8, node.meta.begin());
+    node.leafMask = from[24];
+    node.slotAxes = from[25];
+    std::copy_n(from + 26, node.zeros.size(), node.zeros.begin());
     return node;
 }
 
@@ -136,8 +138,11 @@ Result<FilGrids> parseFilGrids(std::span<const uint8_t> bytes, const std::string
 
 std::optional<grid::Codec> gridsIn(const std::filesystem::path& path) {
     const auto mapped = MappedFile::open(path);
-    if (!mapped) return std::nullopt;
-    auto table = readTable(mapped->bytes());
+    return mapped ? gridsIn(mapped->bytes()) : std::nullopt;
+}
+
+std::optional<grid::Codec> gridsIn(std::span<const uint8_t> bytes) {
+    auto table = readTable(bytes);
     if (!table) return std::nullopt;
     std::vector<std::vector<uint8_t>> plain;
     FilSections sections(std::move(*table), filMostMetaBytes, plain);

@@ -34,7 +34,9 @@ void packNode(const bvh::Node& node, uint8_t* to) {
     to[15] = node.innerMask;
     storeLe(to + 16, node.firstChild);
     storeLe(to + 20, node.firstLeaf);
-    std::ranges::copy(node.meta, to + 24);
+    to[24] = node.leafMask;
+    to[25] = node.slotAxes;
+    std::ranges::copy(node.zeros, to + 26);
 }
 std::vector<uint8_t> packNodes(std::span<const bvh::Node> nodes) {
     std::vector<uint8_t> bytes(nodes.size() * filNodeBytes);
@@ -63,45 +65,37 @@ uint32_t looseVertexCount(const grid::GridAttributes& attributes) {
     return static_cast<uint32_t>(std::max(attributes.looseNormals.size(), attributes.looseUvs.size()));
 }
 
-// The plain bytes of all sections, which the sections view.
-class GridSections {
-  public:
-    explicit GridSections(const FilGrids& file) {
-        const auto& attributes = file.attributes;
-        add(FilKind::meta, encodeGridMeta({file.asset, file.grids.codec, file.grids.lattice, file.grids.paper,
-                                           static_cast<uint32_t>(file.grids.leafCount()),
-                                           static_cast<uint32_t>(file.table.size()), file.looseTriangles,
-                                           looseVertexCount(attributes)}));
-        add(FilKind::grids, packTable(file.table));
-        add(FilKind::nodes, packNodes(file.grids.nodes));
-        add(FilKind::offsets, packList(file.grids.offsets));
-        views_.push_back({FilKind::payload, file.grids.records, {}});
-        addSome(FilKind::diagonals, packDiagonals(attributes.diagonals));
-        addSome(FilKind::sources, packLists(attributes.quadSources, attributes.looseSources));
-        addSome(FilKind::corners, packList(attributes.looseTriangles));
-        addSome(FilKind::normals, packLists(attributes.normals, attributes.looseNormals));
-        addSome(FilKind::uvs, packLists(attributes.uvs, attributes.looseUvs));
-    }
-    std::vector<FilSectionOut> take() && { return std::move(views_); }
-
-  private:
-    void add(FilKind kind, std::vector<uint8_t> bytes) {
-        // The bytes stay where they are when the list of lists grows.
-        const auto& kept = bytes_.emplace_back(std::move(bytes));
-        views_.push_back({kind, kept, {}});
-    }
-    void addSome(FilKind kind, std::vector<uint8_t> bytes) {
-        if (!bytes.empty()) add(kind, std::move(bytes));
-    }
-    std::vector<std::vector<uint8_t>> bytes_;
-    std::vector<FilSectionOut> views_;
-};
+FilSectionList sectionsOf(const FilGrids& file) {
+    const auto& attributes = file.attributes;
+    FilSectionList sections;
+    const auto addSome = [&](FilKind kind, std::vector<uint8_t> bytes) {
+        if (!bytes.empty()) sections.add(kind, std::move(bytes));
+    };
+    sections.add(FilKind::meta,
+                 encodeGridMeta({file.asset, file.grids.codec, file.grids.lattice, file.grids.paper,
+                                 static_cast<uint32_t>(file.grids.leafCount()),
+                                 static_cast<uint32_t>(file.table.size()), file.looseTriangles,
+                                 looseVertexCount(attributes)}));
+    sections.add(FilKind::grids, packTable(file.table));
+    sections.add(FilKind::nodes, packNodes(file.grids.nodes));
+    sections.add(FilKind::offsets, packList(file.grids.offsets));
+    sections.view(FilKind::payload, file.grids.records);
+    addSome(FilKind::diagonals, packDiagonals(attributes.diagonals));
+    addSome(FilKind::sources, packLists(attributes.quadSources, attributes.looseSources));
+    addSome(FilKind::corners, packList(attributes.looseTriangles));
+    addSome(FilKind::normals, packLists(attributes.normals, attributes.looseNormals));
+    addSome(FilKind::uvs, packLists(attributes.uvs, attributes.looseUvs));
+    return sections;
+}
 
 }  // namespace
 
 Result<uint64_t> writeFilGrids(const std::filesystem::path& path, const FilGrids& grids, bool zstd) {
-    GridSections sections(grids);
-    return writeSections(path, std::move(sections).take(), zstd);
+    return sectionsOf(grids).write(path, zstd);
+}
+
+std::vector<uint8_t> encodeFilGrids(const FilGrids& grids, bool zstd) {
+    return sectionsOf(grids).join(zstd);
 }
 
 }  // namespace filigree::io

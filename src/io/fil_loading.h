@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,14 @@ class FilLoading {
         file.mapped_ = std::move(*mapped);
         if (const Status status = file.open(file.mapped_.bytes(), options); !status)
             return status.error().within(path.string());
+        return file;
+    }
+
+    template <class File>
+    static Result<File> view(std::span<const uint8_t> bytes, const std::string& name,
+                             const FilReadOptions& options) {
+        File file;
+        if (const Status status = file.open(bytes, options); !status) return status.error().within(name);
         return file;
     }
 

@@ -31,16 +31,23 @@ uint64_t mostPayloadBytes(const FilHead& head) {
 Result<FilAsset> identifyAsset(const std::filesystem::path& path) {
     const Result<MappedFile> file = MappedFile::open(path);
     if (!file) return file.error();
-    const XXH128_hash_t hash = XXH3_128bits(file->bytes().data(), file->bytes().size());
-    return FilAsset{path.filename().string(), file->bytes().size(), {hash.low64, hash.high64}};
+    return identifyAsset(file->bytes(), path.filename().string());
+}
+
+FilAsset identifyAsset(std::span<const uint8_t> bytes, const std::string& name) {
+    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+    return {name, bytes.size(), {hash.low64, hash.high64}};
 }
 
 bool isFil(const std::filesystem::path& path) {
-    std::array<char, filMagic.size()> begin{};
+    std::array<uint8_t, filMagic.size()> begin{};
     std::ifstream file(path, std::ios::binary);
-    file.read(begin.data(), begin.size());
-    return file && std::equal(begin.begin(), begin.end(), filMagic.begin(),
-                              [](char a, uint8_t b) { return static_cast<uint8_t>(a) == b; });
+    file.read(reinterpret_cast<char*>(begin.data()), begin.size());
+    return file && isFil(begin);
+}
+
+bool isFil(std::span<const uint8_t> bytes) {
+    return bytes.size() >= filMagic.size() && std::equal(filMagic.begin(), filMagic.end(), bytes.begin());
 }
 
 std::string contentOf(const FilAsset& asset) {
@@ -54,6 +61,11 @@ Result<FilFile> FilFile::read(const std::filesystem::path& path, const FilReadOp
 Result<FilFile> FilFile::parse(std::vector<uint8_t> bytes, const std::string& name,
                                const FilReadOptions& options) {
     return FilLoading::parse<FilFile>(std::move(bytes), name, options);
+}
+
+Result<FilFile> FilFile::view(std::span<const uint8_t> bytes, const std::string& name,
+                              const FilReadOptions& options) {
+    return FilLoading::view<FilFile>(bytes, name, options);
 }
 
 Status FilFile::open(std::span<const uint8_t> bytes, const FilReadOptions& options) {

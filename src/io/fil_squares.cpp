@@ -37,6 +37,11 @@ Result<FilSquareFile> FilSquareFile::parse(std::vector<uint8_t> bytes, const std
     return FilLoading::parse<FilSquareFile>(std::move(bytes), name, options);
 }
 
+Result<FilSquareFile> FilSquareFile::view(std::span<const uint8_t> bytes, const std::string& name,
+                                          const FilReadOptions& options) {
+    return FilLoading::view<FilSquareFile>(bytes, name, options);
+}
+
 Status FilSquareFile::open(std::span<const uint8_t> bytes, const FilReadOptions& options) {
     fileBytes_ = bytes.size();
     auto table = readTable(bytes);
@@ -83,8 +88,11 @@ quadmap::SquarePlace FilSquareFile::place(uint64_t triangle) const {
 
 std::optional<quadmap::SquareFormat> squaresIn(const std::filesystem::path& path) {
     const auto mapped = MappedFile::open(path);
-    if (!mapped) return std::nullopt;
-    auto table = readTable(mapped->bytes());
+    return mapped ? squaresIn(mapped->bytes()) : std::nullopt;
+}
+
+std::optional<quadmap::SquareFormat> squaresIn(std::span<const uint8_t> bytes) {
+    auto table = readTable(bytes);
     if (!table) return std::nullopt;
     std::vector<std::vector<uint8_t>> plain;
     FilSections sections(std::move(*table), filMostMetaBytes, plain);

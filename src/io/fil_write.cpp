@@ -9,18 +9,16 @@
 #include "io/fil_meta.h"
 #include "io/zstd_bytes.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
+#include <fmt/format.h>
 #include <xxhash.h>
 
 namespace filigree::io {
 namespace {
-
-void compress(FilSectionOut& section) {
-    std::vector<uint8_t> frame = zstdCompress(section.plain);
-    if (frame.size() < section.plain.size()) section.frame = std::move(frame);
-}
 
 std::vector<uint8_t> packIndices(std::span<const int32_t> indices, unsigned bits) {
     std::vector<uint8_t> bytes((indices.size() * bits + 7) / 8);
@@ -38,6 +36,14 @@ std::vector<uint8_t> packIndices(std::span<const int32_t> indices, unsigned bits
     return bytes;
 }
 
+Status checkIndices(std::span<const int32_t> indices, uint32_t mapCount) {
+    const auto legal = [&](int32_t index) { return index >= -4 && index < int64_t{mapCount}; };
+    const auto wrong = std::ranges::find_if_not(indices, legal);
+    if (wrong == indices.end()) return {};
+    return Error{ErrorKind::usage, fmt::format("triangle {}: index {}, expected -4 to {}",
+                                               wrong - indices.begin(), *wrong, int64_t{mapCount} - 1)};
+}
+
 // Half a byte a triangle, the first of each byte in its low half.
 std::vector<uint8_t> packPlaces(std::span<const quadmap::SquarePlace> places) {
     std::vector<uint8_t> bytes((places.size() + 1) / 2);
@@ -46,13 +52,71 @@ std::vector<uint8_t> packPlaces(std::span<const quadmap::SquarePlace> places) {
     return bytes;
 }
 
-// Header, table and their hash.
-std::vector<uint8_t> tableOf(const std::vector<FilSectionOut>& sections) {
-    const size_t hashed = filHeaderBytes + sections.size() * filEntryBytes;
+Error wrongCount(std::string_view what, uint64_t found, uint64_t expected) {
+    return {ErrorKind::usage, fmt::format("{} {}, expected {}", found, what, expected)};
+}
+
+Result<FilSectionList> sectionsOf(const FilContents& contents) {
+    const encoding::EncodedView& set = contents.set;
+    if (set.mapCount > INT32_MAX) return wrongCount("micromaps", set.mapCount, INT32_MAX);
+    const uint64_t triangles =
+        set.encoding == encoding::Encoding::bitmask ? 0 : contents.meta.triangleCount();
+    if (contents.indices.size() != triangles)
+        return wrongCount("micromap indices", contents.indices.size(), triangles);
+    if (const uint64_t bytes = (uint64_t{set.mapCount} + 3) / 4;
+        !contents.pairs.empty() && contents.pairs.size() != bytes)
+        return wrongCount("bytes of pairs", contents.pairs.size(), bytes);
+    if (const Status status = checkIndices(contents.indices, set.mapCount); !status) return status.error();
+    FilSectionList sections;
+    sections.add(FilKind::meta, encodeMeta({contents.meta, set.encoding, set.format, set.mapCount, {}}));
+    sections.add(FilKind::indices, packIndices(contents.indices, filIndexBits(set.encoding, set.mapCount)));
+    sections.view(FilKind::descriptors, set.descriptors);
+    sections.view(FilKind::payload, set.payload);
+    if (!contents.pairs.empty()) sections.view(FilKind::pairs, contents.pairs);
+    return sections;
+}
+
+Result<FilSectionList> sectionsOf(const FilSquares& squares) {
+    const uint64_t triangles = squares.meta.triangleCount();
+    const size_t blockBytes = blockBytesOf(squares.format);
+    if (squares.indices.size() != triangles) return wrongCount("indices", squares.indices.size(), triangles);
+    if (squares.places.size() != triangles) return wrongCount("places", squares.places.size(), triangles);
+    if (squares.blocks.size() % blockBytes != 0 || squares.blocks.size() / blockBytes > INT32_MAX)
+        return Error{ErrorKind::usage, fmt::format("{} bytes of maps, expected a multiple of {}, and below "
+                                                   "2^31 maps",
+                                                   squares.blocks.size(), blockBytes)};
+    const auto mapCount = static_cast<uint32_t>(squares.blocks.size() / blockBytes);
+    if (const Status status = checkIndices(squares.indices, mapCount); !status) return status.error();
+    FilHead head{squares.meta, {}, micromap::Format::fourState, mapCount, squares.format};
+    head.meta.level.reset();
+    FilSectionList sections;
+    sections.add(FilKind::meta, encodeMeta(head));
+    sections.add(FilKind::indices, packIndices(squares.indices, filIndexBits(head.encoding, mapCount)));
+    sections.add(FilKind::descriptors, packPlaces(squares.places));
+    sections.view(FilKind::payload, squares.blocks);
+    return sections;
+}
+
+}  // namespace
+
+void FilSectionList::add(FilKind kind, std::vector<uint8_t> bytes) {
+    // The bytes stay where they are when the list of lists grows.
+    view(kind, owned_.emplace_back(std::move(bytes)));
+}
+
+void FilSectionList::compress() {
+    for (Section& section : sections_) {
+        std::vector<uint8_t> frame = zstdCompress(section.plain);
+        if (frame.size() < section.plain.size()) section.frame = std::move(frame);
+    }
+}
+
+std::vector<uint8_t> FilSectionList::table() const {
+    const size_t hashed = filHeaderBytes + sections_.size() * filEntryBytes;
     std::vector<uint8_t> bytes(hashed + filHashBytes);
     uint64_t end = bytes.size();
     uint8_t* entry = bytes.data() + filHeaderBytes;
-    for (const FilSectionOut& section : sections) {
+    for (const Section& section : sections_) {
         const auto stored = section.stored();
         const uint64_t offset = filAligned(end);
         storeLe(entry, static_cast<uint32_t>(section.kind));
@@ -66,30 +130,40 @@ std::vector<uint8_t> tableOf(const std::vector<FilSectionOut>& sections) {
     }
     std::copy(filMagic.begin(), filMagic.end(), bytes.begin());
     storeLe(bytes.data() + 8, filVersion);
-    storeLe(bytes.data() + 12, static_cast<uint32_t>(sections.size()));
+    storeLe(bytes.data() + 12, static_cast<uint32_t>(sections_.size()));
     storeLe(bytes.data() + 16, end);
     storeLe(bytes.data() + hashed, uint64_t{XXH3_64bits(bytes.data(), hashed)});
     return bytes;
 }
 
-}  // namespace
-
-Result<uint64_t> writeSections(const std::filesystem::path& path, std::vector<FilSectionOut> sections,
-                               bool zstd) {
-    for (FilSectionOut& section : sections) {
-        if (zstd) compress(section);
-    }
-    const std::vector<uint8_t> table = tableOf(sections);
+std::vector<std::span<const uint8_t>> FilSectionList::pieces(std::span<const uint8_t> table) const {
     static constexpr std::array<uint8_t, filAlignment> zeros{};
     std::vector<std::span<const uint8_t>> pieces{table};
     uint64_t end = table.size();
-    for (const FilSectionOut& section : sections) {
+    for (const Section& section : sections_) {
         pieces.push_back(std::span(zeros).first(filAligned(end) - end));
         pieces.push_back(section.stored());
         end = filAligned(end) + section.stored().size();
     }
-    if (const Status status = writeFile(path, pieces); !status) return status.error();
-    return end;
+    return pieces;
+}
+
+Result<uint64_t> FilSectionList::write(const std::filesystem::path& path, bool zstd) && {
+    if (zstd) compress();
+    const std::vector<uint8_t> begin = table();
+    const auto all = pieces(begin);
+    if (const Status status = writeFile(path, all); !status) return status.error();
+    uint64_t bytes = 0;
+    for (const auto piece : all) bytes += piece.size();
+    return bytes;
+}
+
+std::vector<uint8_t> FilSectionList::join(bool zstd) && {
+    if (zstd) compress();
+    const std::vector<uint8_t> begin = table();
+    std::vector<uint8_t> bytes;
+    for (const auto piece : pieces(begin)) bytes.insert(bytes.end(), piece.begin(), piece.end());
+    return bytes;
 }
 
 unsigned filIndexBits(encoding::Encoding encoding, uint32_t mapCount) {
@@ -102,36 +176,27 @@ uint64_t filIndexBytes(encoding::Encoding encoding, uint32_t mapCount, uint64_t 
 }
 
 Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents, bool zstd) {
-    assert(contents.set.mapCount <= INT32_MAX);
-    assert(contents.indices.size() ==
-           (contents.set.encoding == encoding::Encoding::bitmask ? 0 : contents.meta.triangleCount()));
-    const encoding::EncodedView& set = contents.set;
-    const std::vector<uint8_t> meta = encodeMeta({contents.meta, set.encoding, set.format, set.mapCount, {}});
-    const auto indices = packIndices(contents.indices, filIndexBits(set.encoding, set.mapCount));
-    std::vector<FilSectionOut> sections;
-    sections.push_back({FilKind::meta, meta, {}});
-    sections.push_back({FilKind::indices, indices, {}});
-    sections.push_back({FilKind::descriptors, set.descriptors, {}});
-    sections.push_back({FilKind::payload, set.payload, {}});
-    if (!contents.pairs.empty()) sections.push_back({FilKind::pairs, contents.pairs, {}});
-    return writeSections(path, std::move(sections), zstd);
+    Result<FilSectionList> sections = sectionsOf(contents);
+    if (!sections) return sections.error().within(path.string());
+    return std::move(*sections).write(path, zstd);
+}
+
+Result<std::vector<uint8_t>> encodeFil(const FilContents& contents, bool zstd) {
+    Result<FilSectionList> sections = sectionsOf(contents);
+    if (!sections) return sections.error();
+    return std::move(*sections).join(zstd);
 }
 
 Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSquares& squares, bool zstd) {
-    assert(squares.places.size() == squares.meta.triangleCount());
-    assert(squares.indices.size() == squares.meta.triangleCount());
-    const auto mapCount = static_cast<uint32_t>(squares.blocks.size() / blockBytesOf(squares.format));
-    FilHead head{squares.meta, {}, micromap::Format::fourState, mapCount, squares.format};
-    head.meta.level.reset();
-    const std::vector<uint8_t> meta = encodeMeta(head);
-    const auto indices = packIndices(squares.indices, filIndexBits(head.encoding, mapCount));
-    const auto places = packPlaces(squares.places);
-    std::vector<FilSectionOut> sections;
-    sections.push_back({FilKind::meta, meta, {}});
-    sections.push_back({FilKind::indices, indices, {}});
-    sections.push_back({FilKind::descriptors, places, {}});
-    sections.push_back({FilKind::payload, squares.blocks, {}});
-    return writeSections(path, std::move(sections), zstd);
+    Result<FilSectionList> sections = sectionsOf(squares);
+    if (!sections) return sections.error().within(path.string());
+    return std::move(*sections).write(path, zstd);
+}
+
+Result<std::vector<uint8_t>> encodeFilSquares(const FilSquares& squares, bool zstd) {
+    Result<FilSectionList> sections = sectionsOf(squares);
+    if (!sections) return sections.error();
+    return std::move(*sections).join(zstd);
 }
 
 }  // namespace filigree::io

@@ -70,14 +70,16 @@ Result<image::AlphaImage> decodeAlpha(std::span<const uint8_t> bytes) {
 Result<image::AlphaImage> readAlphaImage(const std::filesystem::path& path) {
     const Result<std::vector<uint8_t>> bytes = readFile(path, UINT32_MAX);
     if (!bytes) return bytes.error();
-    const ImageKind kind = imageKind(*bytes);
-    if (kind == ImageKind::jpeg) {
-        return Error{ErrorKind::unsupported, path.string() + ": a JPEG has no alpha, expected a PNG"};
-    }
-    if (kind != ImageKind::png) return unreadable(kind).within(path.string());
-    Result<image::AlphaImage> alpha = decodePngAlpha(*bytes, true);
+    Result<image::AlphaImage> alpha = parseAlphaImage(*bytes);
     if (!alpha) return alpha.error().within(path.string());
     return alpha;
+}
+
+Result<image::AlphaImage> parseAlphaImage(std::span<const uint8_t> bytes) {
+    const ImageKind kind = imageKind(bytes);
+    if (kind == ImageKind::jpeg) return Error{ErrorKind::unsupported, "a JPEG has no alpha, expected a PNG"};
+    if (kind != ImageKind::png) return unreadable(kind);
+    return decodePngAlpha(bytes, true);
 }
 
 }  // namespace filigree::io

@@ -3,12 +3,14 @@
 
 #include "io/accessor.h"
 #include "io/micromap_bytes.h"
+#include "io/output_check.h"
 #include "io/test_json.h"
 #include "io/write_buffers.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cctype>
+
+#include <fmt/format.h>
 
 namespace filigree::io {
 namespace {
@@ -81,7 +83,6 @@ void dropOlderName(Json& json) {
 
 Json micromapToJson(const OutputMicromaps& micromaps, Rewrite& rewrite) {
     const micromap::FlatSet& set = *micromaps.set;
-    assert(!set.records.empty());
     Json json = Json::object();
     if (!micromaps.name.empty()) json["name"] = micromaps.name;
     json["data"] = rewrite.addView(std::vector<uint8_t>(set.data), "opacity micromap data");
@@ -146,9 +147,20 @@ size_t addVertexIndices(std::span<const uint32_t> indices, Rewrite& rewrite) {
     return addAccessor(rewrite, view, 0, unsignedType(bytes), indices.size());
 }
 
+// Whether the document has the primitives that get micromaps.
+Status checkPlaces(const GltfDocument::Data& data, const MicromapOutput& output) {
+    const Json& meshes = data.list("meshes");
+    for (const OutputPrimitive& item : output.primitives) {
+        const Json* primitives =
+            item.mesh < meshes.size() ? memberOf(meshes[item.mesh], "primitives") : nullptr;
+        if (primitives != nullptr && primitives->is_array() && item.primitive < primitives->size()) continue;
+        return Error{ErrorKind::usage,
+                     fmt::format("the document has no primitive {} of mesh {}", item.primitive, item.mesh)};
+    }
+    return {};
+}
+
 Json& primitiveOf(Json& json, const OutputPrimitive& output) {
-    assert(output.mesh < json["meshes"].size());
-    assert(output.primitive < json["meshes"][output.mesh]["primitives"].size());
     return json["meshes"][output.mesh]["primitives"][output.primitive];
 }
 
@@ -159,7 +171,11 @@ void detachOld(Rewrite& rewrite, const MicromapOutput& output) {
     dropOlderName(rewrite.json);
 }
 
-void attach(Rewrite& rewrite, const MicromapOutput& output) {
+Status attach(const GltfDocument& document, const MicromapOutput& output, Rewrite& rewrite) {
+    if (output.primitives.empty()) return {};
+    Status status = checkOutput(output);
+    if (status) status = checkPlaces(document.data(), output);
+    if (!status) return status.error().within(document.name());
     detachOld(rewrite, output);
     Json micromaps = arrayIn(objectIn(objectIn(rewrite.json, "extensions"), extensionName), "micromaps");
     dropUnused(rewrite.json, micromaps);
@@ -170,7 +186,6 @@ void attach(Rewrite& rewrite, const MicromapOutput& output) {
     const std::vector<size_t> accessors = addIndexAccessors(output, rewrite);
     for (size_t i = 0; i < output.primitives.size(); ++i) {
         const OutputPrimitive& item = output.primitives[i];
-        assert(item.micromaps < output.micromaps.size());
         if (!item.vertexIndices.empty()) {
             const size_t accessor = addVertexIndices(item.vertexIndices, rewrite);
             primitiveOf(rewrite.json, item)["indices"] = accessor;
@@ -183,6 +198,7 @@ void attach(Rewrite& rewrite, const MicromapOutput& output) {
     if (!listsExtension(rewrite.json, "extensionsUsed", extensionName)) {
         arrayIn(rewrite.json, "extensionsUsed").push_back(extensionName);
     }
+    return {};
 }
 
 bool wantsText(const std::filesystem::path& path) {
@@ -196,14 +212,25 @@ bool wantsText(const std::filesystem::path& path) {
 
 Status writeWithMicromaps(const GltfDocument& document, const MicromapOutput& output,
                           const std::filesystem::path& path) {
-    const GltfDocument::Data& data = document.data();
-    const bool text = wantsText(path);
-    Result<Rewrite> rewrite = text ? rewriteForGltf(data, path.parent_path()) : rewriteForGlb(data);
+    if (!wantsText(path)) {
+        const Result<std::vector<uint8_t>> glb = encodeWithMicromaps(document, output);
+        return glb ? writeFile(path, *glb) : Status(glb.error());
+    }
+    Result<Rewrite> rewrite = rewriteForGltf(document.data(), path.parent_path());
     if (!rewrite) return rewrite.error().within(document.name());
-    if (!output.primitives.empty()) attach(*rewrite, output);
-    const Result<std::vector<uint8_t>> bytes = text ? finishGltf(*rewrite) : finishGlb(*rewrite, data);
+    if (const Status status = attach(document, output, *rewrite); !status) return status.error();
+    const Result<std::vector<uint8_t>> bytes = finishGltf(*rewrite);
     if (!bytes) return bytes.error().within(path.string());
     return writeFile(path, *bytes);
+}
+
+Result<std::vector<uint8_t>> encodeWithMicromaps(const GltfDocument& document, const MicromapOutput& output) {
+    Result<Rewrite> rewrite = rewriteForGlb(document.data());
+    if (!rewrite) return rewrite.error().within(document.name());
+    if (const Status status = attach(document, output, *rewrite); !status) return status.error();
+    Result<std::vector<uint8_t>> bytes = finishGlb(*rewrite, document.data());
+    if (!bytes) return bytes.error().within(document.name());
+    return bytes;
 }
 
 }  // namespace filigree::io

@@ -5,6 +5,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/image/alpha_image.h"
@@ -117,6 +118,8 @@ class FILIGREE_API BitmaskReader {
 // ErrorKind::usage for a guard above 8 texels or numbers that are not finite and >= 0, ErrorKind::limit above
 // 4 GiB - 1 of payload.
 FILIGREE_API Result<EncodedSet> encodeBitmasks(std::span<const BitmaskSource> sources,
-                                               micromap::Format format, const Executor& executor);
+                                               micromap::Format format,
+                                               const Executor& executor = serialExecutor(),
+                                               ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -4,6 +4,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/encoding/rank.h"
@@ -107,6 +108,8 @@ class FILIGREE_API DagReader {
 
 // All of `maps` as one graph. ErrorKind::limit above 1 GiB of payload.
 FILIGREE_API Result<EncodedSet> encodeDag(std::span<const micromap::QuadtreeView> maps,
-                                          micromap::Format format, const Executor& executor);
+                                          micromap::Format format,
+                                          const Executor& executor = serialExecutor(),
+                                          ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/quadtree.h"
@@ -21,9 +22,11 @@ struct EncodeOptions {
 
 // Encodes `maps`, of levels 0..maxLevel in any mixture; map k of the set is maps[k]. With Format::twoState
 // the sides of states are kept. The result does not depend on the executor. ErrorKind::limit when the set
-// outgrows the encoding's offsets, ErrorKind::usage for Encoding::bitmask, which does not encode micromaps.
+// outgrows the encoding's offsets, ErrorKind::usage for Encoding::bitmask, which does not encode micromaps,
+// ErrorKind::cancelled. Progress in micromaps.
 FILIGREE_API Result<EncodedSet> encode(Encoding encoding, std::span<const micromap::QuadtreeView> maps,
                                        micromap::Format format, const EncodeOptions& options = {},
-                                       const Executor& executor = serialExecutor());
+                                       const Executor& executor = serialExecutor(),
+                                       ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

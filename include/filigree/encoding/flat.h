@@ -4,6 +4,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/curve.h"
@@ -61,6 +62,8 @@ class FILIGREE_API FlatReader {
 
 // `maps` one after another. ErrorKind::limit above 4 GiB - 1 of payload.
 FILIGREE_API Result<EncodedSet> encodeFlat(std::span<const micromap::QuadtreeView> maps,
-                                           micromap::Format format, const Executor& executor);
+                                           micromap::Format format,
+                                           const Executor& executor = serialExecutor(),
+                                           ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -5,6 +5,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/curve.h"
@@ -112,6 +113,8 @@ class FILIGREE_API GruenReader {
 // `maps` one after another; `bit` matters with Format::twoState only. ErrorKind::limit above 4 GiB - 1 of
 // payload.
 FILIGREE_API Result<EncodedSet> encodeGruen(std::span<const micromap::QuadtreeView> maps,
-                                            micromap::Format format, GruenBit bit, const Executor& executor);
+                                            micromap::Format format, GruenBit bit,
+                                            const Executor& executor = serialExecutor(),
+                                            ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -5,6 +5,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/encoding/rank.h"
@@ -265,6 +266,8 @@ class FILIGREE_API SdagReader {
 // nodes are stored, 2 bytes a node, so that SdagReader::opaqueShare is quick at every level. ErrorKind::limit
 // above 4 GiB in one part.
 FILIGREE_API Result<EncodedSet> encodeSdag(std::span<const micromap::QuadtreeView> maps,
-                                           micromap::Format format, bool shares, const Executor& executor);
+                                           micromap::Format format, bool shares,
+                                           const Executor& executor = serialExecutor(),
+                                           ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/curve.h"
@@ -45,6 +46,8 @@ class FILIGREE_API TreeReader {
 
 // Encodes `maps` (algorithms 1 and 2). ErrorKind::limit above 4 GiB - 1 of payload.
 FILIGREE_API Result<EncodedSet> encodeTree(std::span<const micromap::QuadtreeView> maps,
-                                           micromap::Format format, const Executor& executor);
+                                           micromap::Format format,
+                                           const Executor& executor = serialExecutor(),
+                                           ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::encoding

@@ -6,7 +6,9 @@
 #include "filigree/io/breach.h"
 #include "filigree/io/gltf_write.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +20,20 @@ namespace filigree::io {
 FILIGREE_API Status writeApiBlobs(const std::filesystem::path& folder, const MicromapOutput& output,
                                   const std::string& source);
 
+// One file of such a folder, in memory.
+struct ApiBlob {
+    std::string name;  // manifest.json, or as the manifest names it
+    std::vector<uint8_t> bytes;
+};
+
+// The files of that folder; the last is manifest.json. ErrorKind::usage where `output` does not agree with
+// itself.
+FILIGREE_API Result<std::vector<ApiBlob>> encodeApiBlobs(const MicromapOutput& output,
+                                                         const std::string& source);
+
 // Checks a folder of blobs by the rules of docs/spec/raw.md; paths in breaches are those of the manifest. An
 // error means that the manifest cannot be read at all.
 FILIGREE_API Result<std::vector<Breach>> checkApiBlobs(const std::filesystem::path& folder);
+FILIGREE_API Result<std::vector<Breach>> checkApiBlobs(std::span<const ApiBlob> blobs);
 
 }  // namespace filigree::io

@@ -25,6 +25,7 @@ struct FilAsset {
     bool operator==(const FilAsset&) const = default;
 };
 FILIGREE_API Result<FilAsset> identifyAsset(const std::filesystem::path& path);
+FILIGREE_API FilAsset identifyAsset(std::span<const uint8_t> bytes, const std::string& name);
 
 // "6790060 bytes, hash 0123456789abcdef0123456789abcdef".
 FILIGREE_API std::string contentOf(const FilAsset& asset);
@@ -67,12 +68,17 @@ struct FilContents {
 };
 
 // Writes `path`, whole or not at all; same contents, same bytes. With `zstd` each section is compressed that
-// becomes smaller. Gives the size of the file in bytes.
+// becomes smaller. Gives the size of the file in bytes. ErrorKind::usage where counts do not agree or an
+// index is out of range.
 FILIGREE_API Result<uint64_t> writeFil(const std::filesystem::path& path, const FilContents& contents,
                                        bool zstd);
 
+// The same file in memory.
+FILIGREE_API Result<std::vector<uint8_t>> encodeFil(const FilContents& contents, bool zstd);
+
 // True for a file that begins as a .fil does.
 FILIGREE_API bool isFil(const std::filesystem::path& path);
+FILIGREE_API bool isFil(std::span<const uint8_t> bytes);
 
 struct FilReadOptions {
     // The most memory that compressed sections may take together once they are plain; above it
@@ -90,6 +96,10 @@ class FILIGREE_API FilFile {
     // The same from memory. `name` stands for the file in errors.
     static Result<FilFile> parse(std::vector<uint8_t> bytes, const std::string& name,
                                  const FilReadOptions& options = {});
+
+    // The same from memory of the caller's, used in place, which must outlive this.
+    static Result<FilFile> view(std::span<const uint8_t> bytes, const std::string& name,
+                                const FilReadOptions& options = {});
 
     [[nodiscard]] const FilMeta& meta() const { return meta_; }
     [[nodiscard]] const encoding::EncodedView& set() const { return set_; }

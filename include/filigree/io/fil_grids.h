@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct FilGrids {
 FILIGREE_API Result<uint64_t> writeFilGrids(const std::filesystem::path& path, const FilGrids& grids,
                                             bool zstd);
 
+// The same file in memory.
+FILIGREE_API std::vector<uint8_t> encodeFilGrids(const FilGrids& grids, bool zstd);
+
 // Reads a file and checks it in full, grid::check and grid::checkPlaces included: it may be traced.
 FILIGREE_API Result<FilGrids> readFilGrids(const std::filesystem::path& path,
                                            const Executor& executor = serialExecutor(),
@@ -47,5 +51,6 @@ FILIGREE_API Result<FilGrids> parseFilGrids(std::span<const uint8_t> bytes, cons
 
 // The codec of the grids that a .fil holds; none where it holds something else or cannot be read.
 FILIGREE_API std::optional<grid::Codec> gridsIn(const std::filesystem::path& path);
+FILIGREE_API std::optional<grid::Codec> gridsIn(std::span<const uint8_t> bytes);
 
 }  // namespace filigree::io

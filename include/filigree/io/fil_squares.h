@@ -35,6 +35,9 @@ struct FilSquares {
 FILIGREE_API Result<uint64_t> writeFilSquares(const std::filesystem::path& path, const FilSquares& squares,
                                               bool zstd);
 
+// The same file in memory.
+FILIGREE_API Result<std::vector<uint8_t>> encodeFilSquares(const FilSquares& squares, bool zstd);
+
 // Checked in full: every lookup is one then.
 class FILIGREE_API FilSquareFile {
   public:
@@ -43,6 +46,10 @@ class FILIGREE_API FilSquareFile {
     // The same from memory. `name` stands for the file in errors.
     static Result<FilSquareFile> parse(std::vector<uint8_t> bytes, const std::string& name,
                                        const FilReadOptions& options = {});
+
+    // The same from memory of the caller's, used in place, which must outlive this.
+    static Result<FilSquareFile> view(std::span<const uint8_t> bytes, const std::string& name,
+                                      const FilReadOptions& options = {});
 
     [[nodiscard]] const FilMeta& meta() const { return meta_; }
     [[nodiscard]] const quadmap::SquareReader& maps() const { return *maps_; }
@@ -69,5 +76,6 @@ class FILIGREE_API FilSquareFile {
 
 // What a .fil holds: squares of that format, or none where it holds micromaps or cannot be read.
 FILIGREE_API std::optional<quadmap::SquareFormat> squaresIn(const std::filesystem::path& path);
+FILIGREE_API std::optional<quadmap::SquareFormat> squaresIn(std::span<const uint8_t> bytes);
 
 }  // namespace filigree::io

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ class FILIGREE_API GltfDocument {
     // The same from memory. Relative URIs start at `baseFolder`; `name` stands for the file in errors.
     static Result<GltfDocument> parse(std::vector<uint8_t> bytes, const std::filesystem::path& baseFolder,
                                       const std::string& name);
+
+    // The same from memory of the caller's, used in place, which must outlive this.
+    static Result<GltfDocument> view(std::span<const uint8_t> bytes, const std::filesystem::path& baseFolder,
+                                     const std::string& name);
 
     GltfDocument(GltfDocument&&) noexcept;
     GltfDocument& operator=(GltfDocument&&) noexcept;

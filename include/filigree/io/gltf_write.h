@@ -46,4 +46,8 @@ struct MicromapOutput {
 FILIGREE_API Status writeWithMicromaps(const GltfDocument& document, const MicromapOutput& output,
                                        const std::filesystem::path& path);
 
+// The GLB of that in memory.
+FILIGREE_API Result<std::vector<uint8_t>> encodeWithMicromaps(const GltfDocument& document,
+                                                              const MicromapOutput& output);
+
 }  // namespace filigree::io

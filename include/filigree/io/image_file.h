@@ -42,8 +42,8 @@ FILIGREE_API Result<scene::ColourImage> decodeImage(std::span<const uint8_t> byt
 // everywhere for a PNG with neither and for JPEG, of which then only the header is read.
 FILIGREE_API Result<image::AlphaImage> decodeAlpha(std::span<const uint8_t> bytes);
 
-// A PNG file as an alpha image: its alpha where it has any, otherwise its grey. Colour without alpha is an
-// error.
+// A PNG as an alpha image: its alpha where it has any, otherwise its grey. Colour without alpha is an error.
+FILIGREE_API Result<image::AlphaImage> parseAlphaImage(std::span<const uint8_t> bytes);
 FILIGREE_API Result<image::AlphaImage> readAlphaImage(const std::filesystem::path& path);
 
 // PNG files. Same input, same bytes. The spans hold width * height values, row by row.
