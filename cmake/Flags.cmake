@@ -13,8 +13,15 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
 endif()
 # Processors that lack SSE4 take the scalar code: each target compiles all SIMD code once more.
-target_compile_definitions(filigree_flags INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+set(disabled HWY_SSSE3)
 if(FILIGREE_SANITIZE)
+    # The plain code and that of this processor are all that run here.
+    file(READ /proc/cpuinfo processor LIMIT 4096)
+    if(processor MATCHES avx512vl)
+        string(APPEND disabled "|HWY_SSE4|HWY_AVX2")
+    elseif(processor MATCHES avx2)
+        string(APPEND disabled "|HWY_SSE4|HWY_AVX3")
+    endif()
     # Without the checks whose finds the address sanitizer makes too, and that of alignment, which our processors do
     # not mind: they double the time of the build.
     target_compile_options(filigree_flags INTERFACE
@@ -22,6 +29,7 @@ if(FILIGREE_SANITIZE)
         -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(filigree_flags INTERFACE -fsanitize=address,undefined)
 endif()
+target_compile_definitions(filigree_flags INTERFACE "HWY_DISABLED_TARGETS=(${disabled})")
 if(FILIGREE_FUZZ)
     target_compile_options(filigree_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
