@@ -18,6 +18,7 @@ layout(push_constant) uniform Settings {
     uint flags;        // below
     float epsilon;     // world units, how far rays start off a surface
     float aoDistance;  // world units
+    uint grids;        // the word that compressed grids begin at
 };
 const uint flagAllOpaque = 1u;        // every candidate is a hit
 const uint flagTwoStates = 2u;        // the side of a state decides

@@ -57,13 +57,14 @@ trace::Film filmOf(vulkan::Picture picture, const trace::RenderSettings& setting
 }  // namespace
 
 Result<DeviceScene> DeviceScene::open(const vulkan::DeviceOptions& options, std::string_view path,
-                                      const scene::Scene& scene, const trace::World& world) {
+                                      const scene::Scene& scene, const trace::World& world,
+                                      const vulkan::RaySceneOptions& parts, const Executor& executor) {
     auto opened = vulkan::Device::open(options);
     if (!opened) return opened.error();
     auto device = std::make_unique<vulkan::Device>(std::move(*opened));
     const auto chosen = vulkan::chooseRayPath(device->facts(), path);
     if (!chosen) return chosen.error();
-    auto placed = vulkan::RayScene::build(*device, scene);
+    auto placed = vulkan::RayScene::build(*device, scene, parts, executor);
     if (!placed) return placed.error();
     return DeviceScene(std::move(device), *chosen, std::move(*placed), world);
 }

@@ -17,9 +17,12 @@ namespace filigree::jobs {
 // A scene on a device.
 class DeviceScene {
   public:
-    // `world` of `scene`, without grids; both must outlive the result. `path` as chooseRayPath takes it.
+    // `world` of `scene` and the same parts of it; both must outlive the result. `path` as chooseRayPath
+    // takes it.
     static Result<DeviceScene> open(const vulkan::DeviceOptions& options, std::string_view path,
-                                    const scene::Scene& scene, const trace::World& world);
+                                    const scene::Scene& scene, const trace::World& world,
+                                    const vulkan::RaySceneOptions& parts = {},
+                                    const Executor& executor = serialExecutor());
 
     // Makes a method ready. `input` and `maps` as makeOpacity or makeSquareOpacity made and took them.
     // ErrorKind::unsupported for what a device cannot do: squares with two states.

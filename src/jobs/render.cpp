@@ -165,11 +165,10 @@ class Rendering {
     }
 
     Status openDevice() {
-        if (grids_)
-            return Error{
-                ErrorKind::unsupported,
-                fmt::format("{}: the backend vulkan renders no compressed grids", options_.input.string())};
-        auto opened = DeviceScene::open({options_.device, {}}, options_.path, scene_, *world_);
+        vulkan::RaySceneOptions parts;
+        if (grids_) parts = {false, {&grids_->grids, grids_->table, &grids_->attributes}};
+        auto opened =
+            DeviceScene::open({options_.device, {}}, options_.path, scene_, *world_, parts, executor_);
         if (!opened) return opened.error().within("--backend vulkan");
         device_.emplace(std::move(*opened));
         if (options_.previewSeconds > 0) note("--preview is ignored: the backend vulkan writes none");
@@ -329,6 +328,8 @@ class Rendering {
             summary_.device = device_->device().facts().name;
             summary_.driver = device_->device().facts().driver;
             summary_.path = nameOf(device_->path());
+            const vulkan::RayScene::Bytes onDevice = device_->scene().bytes();
+            if (summary_.grids) summary_.grids->bytes = onDevice.gridWords + onDevice.gridStructures;
         }
         summary_.peakBytes = peakMemory();
         summary_.totalSeconds = total_.seconds();

@@ -69,7 +69,8 @@ Result<std::vector<GridVertex>> lookup(const Device&, const grid::EncodedGrids&,
     return notBuilt();
 }
 
-Result<RayScene> RayScene::build(const Device&, const scene::Scene&) {
+Result<RayScene> RayScene::build(const Device&, const scene::Scene&, const RaySceneOptions&,
+                                 const Executor&) {
     return notBuilt();
 }
 

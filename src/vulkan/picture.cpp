@@ -31,8 +31,9 @@ struct PicturePush {
     uint32_t flags = 0;
     float epsilon = 0;
     float aoDistance = 0;
+    uint32_t grids = 0;
 };
-static_assert(sizeof(PicturePush) == 96);
+static_assert(sizeof(PicturePush) == 104);
 
 constexpr uint32_t allOpaque = 1;
 constexpr uint32_t twoStates = 2;
@@ -69,6 +70,7 @@ PicturePush pushOf(const RayScene::Data& scene, uint32_t methodFlags, const Pict
     push.flags = flagsOf(methodFlags, settings);
     push.epsilon = settings.epsilon;
     push.aoDistance = settings.aoDistance;
+    push.grids = scene.gridsAt;
     return push;
 }
 
@@ -174,9 +176,10 @@ Result<Painter> Painter::make(const Device& device, const RayScene& scene, const
                               RayPath path) {
     auto maps = OpacityMaps::make(device.data(), scene, method);
     if (!maps) return maps.error();
-    const std::array constants{maps->widthShift};
-    auto shaders =
-        PictureShaders::make(device.data(), path, maps->decoder, {5, sizeof(PicturePush), true}, constants);
+    const bool hasGrids = scene.data().grids.has_value();
+    const std::array<uint32_t, 2> constants{maps->widthShift, hasGrids ? VK_TRUE : VK_FALSE};
+    auto shaders = PictureShaders::make(device.data(), path, maps->decoder, hasGrids,
+                                        {5, sizeof(PicturePush), true}, constants);
     if (!shaders) return shaders.error();
     const uint32_t flags = (method.takesAll ? allOpaque : 0) | (method.states == 2 ? twoStates : 0);
     std::unique_ptr<Data> data(

@@ -9,21 +9,26 @@ uint32_t tilesAcross(uint32_t side) {
     return (side + tileSide - 1) / tileSide;
 }
 
-RayShaders rayShaders(Decoder decoder) {
+RayShaders rayShaders(Decoder decoder, bool hasGrids) {
     RayShaders shaders;
     shaders.generation = {ShaderKind::rayGeneration, decoder};
     shaders.miss = {ShaderKind::miss, decoder};
     shaders.hits.push_back(
         {Shader{ShaderKind::closestHit, decoder}, Shader{ShaderKind::anyHit, decoder}, {}});
+    if (hasGrids) {
+        shaders.hits.push_back(
+            {Shader{ShaderKind::gridHit, decoder}, {}, Shader{ShaderKind::gridIntersection, decoder}});
+    }
     return shaders;
 }
 
 }  // namespace
 
 Result<PictureShaders> PictureShaders::make(Device::Data& device, RayPath path, Decoder decoder,
-                                            const BindingShape& shape, std::span<const uint32_t> constants) {
+                                            bool hasGrids, const BindingShape& shape,
+                                            std::span<const uint32_t> constants) {
     if (path == RayPath::pipeline) {
-        auto made = RayPipeline::make(device, rayShaders(decoder), shape, constants);
+        auto made = RayPipeline::make(device, rayShaders(decoder, hasGrids), shape, constants);
         if (!made) return made.error();
         return PictureShaders(std::move(*made));
     }

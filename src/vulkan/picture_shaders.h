@@ -14,8 +14,8 @@ namespace filigree::vulkan {
 
 class PictureShaders {
   public:
-    // `constants`: of each shader's constant_id 0, 1, ..
-    static Result<PictureShaders> make(Device::Data& device, RayPath path, Decoder decoder,
+    // `hasGrids`: the scene has compressed grids. `constants`: of each shader's constant_id 0, 1, ..
+    static Result<PictureShaders> make(Device::Data& device, RayPath path, Decoder decoder, bool hasGrids,
                                        const BindingShape& shape, std::span<const uint32_t> constants);
 
     Bindings& bindings();

@@ -1,7 +1,9 @@
 #include "filigree/vulkan/ray_scene.h"
 
 #include "filigree/core/vec3.h"
+#include "filigree/grid/record_boxes.h"
 
+#include "vulkan/grid_words.h"
 #include "vulkan/ray_scene_data.h"
 #include "vulkan/scene_words.h"
 
@@ -67,6 +69,7 @@ class RaySceneBuilder {
 
     Status buildTop() {
         std::vector<VkAccelerationStructureInstanceKHR> instances;
+        if (to_.grids) instances.push_back(placedGrids());
         for (const scene::Instance& instance : scene_.instances) {
             if (structureOf_[instance.mesh] != noWord && isPlaceable(instance.transform))
                 instances.push_back(placed(instance));
@@ -109,6 +112,16 @@ class RaySceneBuilder {
         return made;
     }
 
+    // In world units, with the second record of shaders.
+    [[nodiscard]] VkAccelerationStructureInstanceKHR placedGrids() const {
+        VkAccelerationStructureInstanceKHR made{};
+        for (size_t row = 0; row < 3; ++row) made.transform.matrix[row][row] = 1;
+        made.mask = 0xff;
+        made.instanceShaderBindingTableRecordOffset = 1;
+        made.accelerationStructureReference = to_.grids->address();
+        return made;
+    }
+
     Device::Data& device_;
     const scene::Scene& scene_;
     const SceneWords& words_;
@@ -116,16 +129,56 @@ class RaySceneBuilder {
     std::vector<uint32_t> structureOf_;  // [mesh_count], noWord: without triangles
 };
 
+// The structure over the boxes of records.
+Result<Structure> buildGrids(Device::Data& device, const std::vector<VkAabbPositionsKHR>& boxes) {
+    const auto buffer = uploadedOf(device, boxes, "the boxes of the grids", forBuilding);
+    if (!buffer) return buffer.error();
+    StructureInput input;
+    auto& geometry = input.geometries.emplace_back();
+    geometry.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_KHR;
+    geometry.geometryType = VK_GEOMETRY_TYPE_AABBS_KHR;
+    geometry.flags = VK_GEOMETRY_OPAQUE_BIT_KHR;
+    auto& aabbs = geometry.geometry.aabbs;
+    aabbs.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_GEOMETRY_AABBS_DATA_KHR;
+    aabbs.data.deviceAddress = buffer->address();
+    aabbs.stride = sizeof(VkAabbPositionsKHR);
+    input.counts.push_back(static_cast<uint32_t>(boxes.size()));
+    return Structure::build(device, input, "the structure of the grids");
+}
+
+// Puts the grids behind the scene's words and builds their structure.
+Status addGrids(Device::Data& device, const GridPart& part, const Executor& executor, SceneWords& words,
+                RayScene::Data& to) {
+    if (part.grids->codec != grid::Codec::lattice)
+        return Error{ErrorKind::unsupported,
+                     "grids of the codec paper have no shader; give some of the codec lattice"};
+    const std::vector<Box> boxes = recordBoxes(*part.grids, executor);
+    const size_t before = words.words.size();
+    const auto at = appendGrids(part, boxes, words.words);
+    if (!at) return at.error();
+    to.gridsAt = *at;
+    to.gridWordBytes = (words.words.size() - before) * sizeof(uint32_t);
+    auto built = buildGrids(device, gridAabbs(part.grids->lattice, boxes));
+    if (!built) return built.error();
+    to.grids.emplace(std::move(*built));
+    return {};
+}
+
 }  // namespace
 
-Result<RayScene> RayScene::build(const Device& device, const scene::Scene& scene) {
+Result<RayScene> RayScene::build(const Device& device, const scene::Scene& scene,
+                                 const RaySceneOptions& options, const Executor& executor) {
     if (auto path = chooseRayPath(device.facts(), {}); !path) return path.error();
-    auto words = sceneWords(scene);
+    auto words = sceneWords(scene, options.opaque);
     if (!words) return words.error();
     if (words->surfaces.size() >= uint32_t{1} << 24)
         return Error{ErrorKind::limit, fmt::format("{} primitives; a device tells fewer than 2^24 apart",
                                                    words->surfaces.size())};
     auto data = std::make_unique<Data>();
+    if (options.grids.grids != nullptr) {
+        auto added = addGrids(device.data(), options.grids, executor, *words, *data);
+        if (!added) return added.error();
+    }
     auto uploadedWords = uploadedOf(device.data(), words->words, "the scene", forBuilding);
     if (!uploadedWords) return uploadedWords.error();
     data->words = std::move(*uploadedWords);
@@ -150,6 +203,11 @@ const scene::Primitive& RayScene::primitive(size_t surface) const {
 RayScene::Bytes RayScene::bytes() const {
     Bytes bytes{data_->words.size(), data_->top->bytes()};
     for (const Structure& mesh : data_->meshes) bytes.structures += mesh.bytes();
+    if (data_->grids) {
+        bytes.gridWords = data_->gridWordBytes;
+        bytes.gridStructures = data_->grids->bytes();
+        bytes.structures += bytes.gridStructures;
+    }
     return bytes;
 }
 

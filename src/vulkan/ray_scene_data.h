@@ -4,6 +4,7 @@
 #include "filigree/vulkan/ray_scene.h"
 
 #include "vulkan/buffer.h"
+#include "vulkan/scene_words.h"
 #include "vulkan/structure.h"
 
 #include <optional>
@@ -15,6 +16,9 @@ struct RayScene::Data {
     std::vector<const scene::Primitive*> primitives;  // of the surfaces
     Buffer words;                                     // SceneWords
     std::vector<Structure> meshes;
+    std::optional<Structure> grids;  // over the boxes of records
+    uint32_t gridsAt = noWord;       // of the words
+    uint64_t gridWordBytes = 0;
     std::optional<Structure> top;
 };
 

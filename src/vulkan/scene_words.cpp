@@ -13,8 +13,6 @@
 namespace filigree::vulkan {
 namespace {
 
-constexpr uint64_t mostWords = uint64_t{1} << 30;
-
 bool isWhole(const std::array<float, 3>& position) {
     return std::ranges::all_of(position, [](float x) { return std::isfinite(x); });
 }
@@ -26,7 +24,7 @@ uint32_t packedSize(uint32_t width, uint32_t height) {
 // Lays out one scene.
 class SceneWriter {
   public:
-    explicit SceneWriter(const scene::Scene& scene) : scene_(scene) {}
+    SceneWriter(const scene::Scene& scene, bool opaque) : scene_(scene), opaque_(opaque) {}
 
     Result<SceneWords> run() {
         countSurfaces();
@@ -35,7 +33,7 @@ class SceneWriter {
         addTables();
         for (size_t k = 0; k < made_.surfaces.size(); ++k) {
             describe(*made_.primitives[k], made_.surfaces[k]);
-            if (made_.words.size() > mostWords)
+            if (made_.words.size() > mostSceneWords)
                 return Error{ErrorKind::limit, "the scene's geometry and textures take more than 4 GiB"};
         }
         if (!made_.surfaces.empty()) {
@@ -53,11 +51,19 @@ class SceneWriter {
         for (const scene::Mesh& mesh : scene_.meshes) {
             made_.firstSurface.push_back(static_cast<uint32_t>(made_.primitives.size()));
             for (const scene::Primitive& primitive : mesh.primitives) {
-                if (primitive.triangleCount() > 0) made_.primitives.push_back(&primitive);
+                if (primitive.triangleCount() > 0 && isWanted(primitive))
+                    made_.primitives.push_back(&primitive);
             }
         }
         made_.firstSurface.push_back(static_cast<uint32_t>(made_.primitives.size()));
         made_.surfaces.resize(made_.primitives.size());
+    }
+
+    [[nodiscard]] bool isWanted(const scene::Primitive& primitive) const {
+        if (opaque_) return true;
+        return primitive.material >= 0 &&
+               scene_.materials[static_cast<size_t>(primitive.material)].alphaMode !=
+                   scene::AlphaMode::opaque;
     }
 
     // Division and powers of devices are not exact.
@@ -142,6 +148,7 @@ class SceneWriter {
     }
 
     const scene::Scene& scene_;
+    bool opaque_;
     SceneWords made_;
     uint32_t tablesAt_ = 0;
     std::map<int, uint32_t> alphas_;   // by image, where its alphas begin
@@ -150,8 +157,8 @@ class SceneWriter {
 
 }  // namespace
 
-Result<SceneWords> sceneWords(const scene::Scene& scene) {
-    return SceneWriter(scene).run();
+Result<SceneWords> sceneWords(const scene::Scene& scene, bool opaque) {
+    return SceneWriter(scene, opaque).run();
 }
 
 }  // namespace filigree::vulkan

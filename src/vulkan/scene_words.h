@@ -11,6 +11,7 @@
 namespace filigree::vulkan {
 
 inline constexpr uint32_t noWord = ~0u;
+inline constexpr uint64_t mostSceneWords = uint64_t{1} << 30;
 
 // A surface; the words of all of them, in order, come first. Places are numbers of words.
 struct SurfaceWords {
@@ -38,7 +39,7 @@ struct SceneWords {
     std::vector<uint32_t> firstSurface;               // [mesh_count + 1]
 };
 
-// ErrorKind::limit beyond 2^30 words.
-Result<SceneWords> sceneWords(const scene::Scene& scene);
+// Without opaque surfaces where they are not wanted. ErrorKind::limit beyond 2^30 words.
+Result<SceneWords> sceneWords(const scene::Scene& scene, bool opaque);
 
 }  // namespace filigree::vulkan

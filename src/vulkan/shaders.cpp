@@ -38,6 +38,8 @@
 #include "shaders/picture_vq4_plus.h"
 #include "shaders/ray_closest_hit.h"
 #include "shaders/ray_generation.h"
+#include "shaders/ray_grid_hit.h"
+#include "shaders/ray_grid_intersection.h"
 #include "shaders/ray_miss.h"
 
 #include <array>
@@ -75,6 +77,10 @@ std::span<const uint32_t> codeOf(Shader shader) {
             return ray_miss;
         case ShaderKind::closestHit:
             return ray_closest_hit;
+        case ShaderKind::gridHit:
+            return ray_grid_hit;
+        case ShaderKind::gridIntersection:
+            return ray_grid_intersection;
         case ShaderKind::anyHit:
             break;
     }

@@ -24,7 +24,17 @@ enum class Decoder : uint8_t {
 inline constexpr unsigned decoderCount = 12;
 
 // Of the pipeline only the any-hit shader holds a decoder.
-enum class ShaderKind : uint8_t { lookup, gridLookup, picture, rayGeneration, miss, closestHit, anyHit };
+enum class ShaderKind : uint8_t {
+    lookup,
+    gridLookup,
+    picture,
+    rayGeneration,
+    miss,
+    closestHit,
+    anyHit,
+    gridHit,
+    gridIntersection
+};
 
 struct Shader {
     ShaderKind kind = ShaderKind::lookup;

@@ -1,9 +1,8 @@
 // Pictures by a device: the same with every method of four states, and those of the CPU but for edges.
 #include "jobs/device_picture.h"
 #include "trace/thicket.h"
+#include "vulkan/film_difference.h"
 #include "vulkan/test_device.h"
-
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -83,20 +82,6 @@ class VulkanPictures : public tests::VulkanTest {
     std::optional<jobs::DeviceScene> onDevice_;
 };
 
-// How many pixels of two pictures differ by more than rounding.
-size_t differing(const trace::Film& a, const trace::Film& b) {
-    const scene::ColourImage one = developed(a);
-    const scene::ColourImage other = developed(b);
-    size_t count = 0;
-    for (size_t k = 0; k < one.rgba.size(); k += 4) {
-        int most = 0;
-        for (size_t channel = 0; channel < 3; ++channel)
-            most = std::max(most, std::abs(one.rgba[k + channel] - other.rgba[k + channel]));
-        count += most > 1 ? 1 : 0;
-    }
-    return count;
-}
-
 TEST_F(VulkanPictures, AreTheSameToTheBitWithEveryMethodOfFourStates) {
     auto texture = painterFor(inputFor(Method::texture, 4));
     std::vector<trace::Film> expected;
@@ -150,7 +135,7 @@ TEST_F(VulkanPictures, AreThoseOfTheCpu) {
             const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
             const trace::Film device = film(painter, s);
             // Rays that graze the edge of a triangle, or of a texel's hole, may pass on either side.
-            EXPECT_LE(differing(device, cpu), cpu.sums.size() / 1000);
+            EXPECT_LE(tests::differing(device, cpu), cpu.sums.size() / 1000);
             for (size_t k = 0; k < trace::rayKindCount; ++k) {
                 const auto kind = static_cast<trace::RayKind>(k);
                 // Candidates depend on the order in which the device meets them.
@@ -171,7 +156,7 @@ TEST_F(VulkanPictures, OfTwoStatesFetchNothing) {
         const trace::Film device = film(painter, s);
         EXPECT_EQ(device.counters.total().textureFetches, 0u);
         const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
-        EXPECT_LE(differing(device, cpu), cpu.sums.size() / 1000);
+        EXPECT_LE(tests::differing(device, cpu), cpu.sums.size() / 1000);
     }
 }
 
