@@ -18,6 +18,5 @@
 #include "filigree/encoding/lossy.h"
 #include "filigree/encoding/map_reader.h"
 #include "filigree/encoding/one_bit.h"
-#include "filigree/encoding/rank.h"
 #include "filigree/encoding/sdag.h"
 #include "filigree/encoding/tree.h"

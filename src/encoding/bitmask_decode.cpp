@@ -1,3 +1,4 @@
+#include "filigree/core/bytes.h"
 #include "filigree/encoding/bitmask.h"
 
 #include "encoding/bitmask_layout.h"
@@ -26,15 +27,15 @@ Status checkFlags(const uint8_t* descriptor, uint32_t texture) {
 }
 
 // Texture `texture` stands at `begin`; moves `begin` to its end.
-Status checkMask(const EncodedView& set, const BitmaskReader& reader, uint32_t texture, uint64_t& begin) {
+Status checkMask(const EncodedView& set, uint32_t texture, uint64_t& begin) {
     const uint8_t* descriptor = set.descriptors.data() + bitmask::descriptorBytes * texture;
     if (const auto flags = checkFlags(descriptor, texture); !flags) return flags;
     const auto offset = loadLe<uint32_t>(descriptor);
     if (offset != begin) {
         return formatError("descriptors: texture {}: offset {}, expected {}", texture, offset, begin);
     }
-    const BitmaskAxis columns = reader.axisU(texture);
-    const BitmaskAxis rows = reader.axisV(texture);
+    const BitmaskAxis columns = BitmaskAxis::of(filigree_bitmask_axis_u_(descriptor));
+    const BitmaskAxis rows = BitmaskAxis::of(filigree_bitmask_axis_v_(descriptor));
     const uint64_t end = begin + bitmask::maskBytes(columns, rows, set.format);
     if (end > set.payload.size()) {
         return formatError("payload: {} bytes, texture {} needs bytes {} to {}", set.payload.size(), texture,
@@ -52,22 +53,21 @@ Status checkMask(const EncodedView& set, const BitmaskReader& reader, uint32_t t
 
 Result<BitmaskReader> BitmaskReader::open(const EncodedView& set) {
     if (const auto size = checkDescriptorBytes(set, bitmask::descriptorBytes); !size) return size.error();
-    const BitmaskReader reader(set);
     uint64_t end = 0;
     for (uint32_t texture = 0; texture < set.mapCount; ++texture) {
-        if (const auto status = checkMask(set, reader, texture, end); !status) return status.error();
+        if (const auto status = checkMask(set, texture, end); !status) return status.error();
     }
     if (end != set.payload.size()) {
         return formatError("payload: {} bytes, expected {} for {} textures", set.payload.size(), end,
                            set.mapCount);
     }
-    return reader;
+    return BitmaskReader(set, openedAs<filigree_bitmask>(filigree_bitmask_open, set));
 }
 
 std::vector<Part> BitmaskReader::parts() const {
     uint64_t states = 0;
     for (uint32_t texture = 0; texture < textureCount(); ++texture) {
-        states += bitmask::cellCount(axisU(texture), axisV(texture)) << widthShift_;
+        states += bitmask::cellCount(axisU(texture), axisV(texture)) * micromap::bitsPerState(set_.format);
     }
     return {{"states", states},
             {"padding", 8 * uint64_t{set_.payload.size()} - states},

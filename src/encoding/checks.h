@@ -4,6 +4,9 @@
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
 
+#include "filigree_lookup.h"
+
+#include <cassert>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -13,6 +16,17 @@ namespace filigree::encoding {
 template <class... Arguments>
 Error formatError(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
     return {ErrorKind::format, fmt::format(text, std::forward<Arguments>(arguments)...)};
+}
+
+// The view that lookups go through, of a set that has been checked.
+template <class View, class Open>
+View openedAs(Open open, const EncodedView& set) {
+    View view;
+    [[maybe_unused]] const auto error =
+        open(&view, static_cast<unsigned>(set.format), set.mapCount, set.descriptors.data(),
+             set.descriptors.size(), set.payload.data(), set.payload.size());
+    assert(error == FILIGREE_LOOKUP_OK);
+    return view;
 }
 
 // The descriptors are `bytesPerMap` bytes for each map.

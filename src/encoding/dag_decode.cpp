@@ -1,3 +1,4 @@
+#include "filigree/core/bytes.h"
 #include "filigree/encoding/dag.h"
 #include "filigree/micromap/quadtree_writer.h"
 
@@ -210,14 +211,14 @@ class Decoder {
         const uint32_t head = wordAt(set_, node);
         if (((head >> k) & 1) == 0) return micromap::appendLeaf(to_, height, 0);
         if (height == dag::blockHeight) return states(maskOf(node, k), height, 0);
-        return parts(wordAt(set_, node + 1 + rankOf(head, k)), height - 2, height, 0);
+        return parts(wordAt(set_, node + 1 + filigree_rank16(head, k)), height - 2, height, 0);
     }
 
     // The mask of child k of a leaf, 0 where it is absent.
     [[nodiscard]] uint32_t maskOf(uint32_t leaf, unsigned k) const {
         const uint32_t head = wordAt(set_, leaf);
         if (((head >> k) & 1) == 0) return 0;
-        const uint32_t rank = rankOf(head, k);
+        const uint32_t rank = filigree_rank16(head, k);
         if (set_.format == Format::fourState) return wordAt(set_, leaf + 1 + rank);
         return (wordAt(set_, leaf + 1 + rank / 2) >> (16 * (rank % 2))) & 0xffff;
     }
@@ -252,12 +253,13 @@ Result<DagReader> DagReader::open(const EncodedView& set) {
     }
     NodeCheck check(set);
     if (const auto status = check.run(); !status) return status.error();
-    return DagReader(set, {check.heads, check.pointers, check.masks, check.paddingBits});
+    return DagReader(set, openedAs<filigree_dag>(filigree_dag_open, set),
+                     {check.heads, check.pointers, check.masks, check.paddingBits});
 }
 
 micromap::Quadtree DagReader::decode(uint32_t map) const {
     BitWriter stream;
-    Decoder(set_, stream).root(descriptor(map) & rootMask, level(map));
+    Decoder(set_, stream).root(descriptor(map) & dag::rootMask, level(map));
     return {std::move(stream), level(map)};
 }
 

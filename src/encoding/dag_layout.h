@@ -11,7 +11,8 @@ namespace filigree::encoding::dag {
 
 inline constexpr size_t wordBytes = 4;
 inline constexpr size_t descriptorBytes = 4;
-inline constexpr unsigned rootBits = 28;
+inline constexpr unsigned rootBits = 28;  // of a descriptor; the others hold the level
+inline constexpr uint32_t rootMask = (1u << rootBits) - 1;
 inline constexpr uint64_t maxWords = uint64_t{1} << rootBits;
 
 inline constexpr unsigned leafHeight = 4;   // levels below a leaf node

@@ -1,5 +1,6 @@
 #include "filigree/encoding/dag.h"
 
+#include "encoding/dag_layout.h"
 #include "encoding/reader_of.h"
 
 #include <array>
@@ -110,14 +111,14 @@ void DagReader::lookup(std::span<const uint32_t> maps, std::span<const float> u,
 
 uint64_t DagReader::bitsRead(uint32_t map, uint32_t index) const {
     const uint32_t from = descriptor(map);
-    uint32_t node = from & rootMask;
+    uint32_t node = from & dag::rootMask;
     uint64_t words = 2;  // the descriptor and the root's head
-    for (unsigned shift = rootShift(from >> rootBits);; shift -= 4) {
+    for (unsigned shift = filigree_dag_root_shift_(from >> dag::rootBits);; shift -= 4) {
         const uint32_t head = word(node);
         const uint32_t child = (index >> shift) & 15;
         if (((head >> child) & 1) == 0) return 32 * words;
         if (shift == 4) return 32 * (words + 1);
-        node = word(node + 1 + rankOf(head, child));
+        node = word(node + 1 + filigree_rank16(head, child));
         words += 2;
     }
 }

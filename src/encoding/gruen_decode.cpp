@@ -40,7 +40,7 @@ Result<GruenReader> GruenReader::open(const EncodedView& set) {
     if (set.format == Format::fourState) {
         if (const auto states = checkThreeStates(set); !states) return states.error();
     }
-    return GruenReader(set, form == gruen::maybeOpaque);
+    return GruenReader(set, openedAs<filigree_gruen>(filigree_gruen_open, set));
 }
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include "encoding/indexed_tree_layout.h"
 #include "encoding/reader_of.h"
-#include "encoding/skip_table.h"
 
 #include <bit>
 #include <cassert>
@@ -134,7 +133,7 @@ class IndexedTreeLanes {
         while (!hn::AllFalse(d_, active)) {
             const auto at = hn::Add(structure, hn::ShiftRight<3>(bit));
             const auto bits = hn::Shr(gatherBytes(set_.payload.data(), at), hn::And(bit, constant(7)));
-            const auto entry = gatherBytes(reinterpret_cast<const uint8_t*>(skipTable.data()),
+            const auto entry = gatherBytes(reinterpret_cast<const uint8_t*>(filigree_skip_table_),
                                            hn::ShiftLeft<3>(hn::And(bits, constant(255))));
             const auto none = hn::Eq(skip, zero);
             const auto nibble = hn::ShiftLeft<2>(hn::Min(hn::Sub(skip, one), constant(8)));

@@ -1,5 +1,6 @@
 #include "filigree/encoding/indexed_tree.h"
 
+#include "encoding/checks.h"
 #include "encoding/indexed_tree_layout.h"
 #include "encoding/tree_read.h"
 
@@ -32,7 +33,7 @@ const char* checkDirectory(const TreeStructure& tree, std::span<const uint8_t> d
 Result<IndexedTreeReader> IndexedTreeReader::open(const EncodedView& set) {
     const TreeRules rules{directoryBytes, checkDirectory, indexedTreeTailBytes};
     if (const auto status = checkTrees(set, rules); !status) return status.error();
-    return IndexedTreeReader(set);
+    return IndexedTreeReader(set, openedAs<filigree_indexed_tree>(filigree_indexed_tree_open, set));
 }
 
 micromap::Quadtree IndexedTreeReader::decode(uint32_t map) const {

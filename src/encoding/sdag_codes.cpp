@@ -150,7 +150,7 @@ void LeafCoder::appendRaw(const Leaf& leaf, std::vector<uint8_t>& to) const {
 }
 
 uint32_t packed(Pattern pattern, bool twoState) {
-    return twoState ? micromap::detail::gather(pattern) : pattern;
+    return twoState ? filigree_gather_(pattern) : pattern;
 }
 
 }  // namespace filigree::encoding::sdag

@@ -4,6 +4,8 @@
 #include "filigree/micromap/state.h"
 #include "filigree/micromap/symmetry.h"
 
+#include "filigree_lookup.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -27,8 +29,8 @@ constexpr unsigned grandchild(unsigned upperDigit, unsigned lowerDigit) {
 }
 
 // Codes below `shortCodes` take one byte, those up to `codeLimit` two; 255 escapes.
-inline constexpr unsigned shortCodes = 192;
-inline constexpr unsigned escape = 255;
+inline constexpr unsigned shortCodes = FILIGREE_SDAG_SHORT_CODES;
+inline constexpr unsigned escape = FILIGREE_SDAG_ESCAPE;
 inline constexpr unsigned codeLimit = shortCodes + (escape - shortCodes) * 256;
 // After an escaped head: what follows.
 inline constexpr unsigned explicitHead = 0;
@@ -50,55 +52,36 @@ constexpr unsigned patternBytes(micromap::Format format) {
 }
 
 // Zero bytes behind the blocks, so that lookups may load ahead.
-inline constexpr unsigned padding = 16;
+inline constexpr unsigned padding = FILIGREE_SDAG_PAYLOAD_PADDING;
 // And behind the descriptors.
-inline constexpr unsigned descriptorPadding = 8;
+inline constexpr unsigned descriptorPadding = FILIGREE_SDAG_DESCRIPTOR_PADDING;
 
 inline constexpr unsigned symmetryBits = 3;
 
 // What stands before the descriptors.
-struct Head {
-    bool shares = false;         // opaque shares of nodes are stored
-    bool flatMaps = false;       // some maps are stored flat
-    unsigned baseBytes = 0;      // of a node's base, 0..4
-    unsigned referenceBits = 0;  // of a reference to a shared leaf, 0..32
-    unsigned valueBits = 0;      // of a descriptor's value, 0..32
-    uint32_t levels = 0;         // bit L: some map has level L
-    uint32_t patterns = 0;
-    uint32_t heads = 0;
-    std::array<uint32_t, nodeHeights> nodes{};
-    uint32_t sharedBytes = 0;
-    uint32_t blockBytes = 0;
-    uint64_t flatBytes = 0;
+struct Head : filigree_sdag_head {
+    Head() : filigree_sdag_head{} {}
+    explicit Head(const filigree_sdag_head& head) : filigree_sdag_head(head) {}
 
-    static constexpr size_t bytes = 48;
-    [[nodiscard]] uint64_t nodeCount() const;
-    [[nodiscard]] unsigned nodeBytes() const { return 4 + baseBytes; }
-    // True when some map is not stored flat.
-    [[nodiscard]] bool hasLeaves() const { return sharedBytes > 0 || blockBytes > 0 || nodeCount() > 0; }
-    [[nodiscard]] unsigned levelBits() const;
-    [[nodiscard]] unsigned descriptorBits() const {
-        return levelBits() + (flatMaps ? 1 : 0) + symmetryBits + valueBits;
+    static constexpr size_t bytes = FILIGREE_SDAG_HEAD_BYTES;
+    [[nodiscard]] unsigned nodeBytes() const { return 4 + base_bytes; }
+    [[nodiscard]] unsigned levelBits() const { return filigree_sdag_level_bits_(levels); }
+    [[nodiscard]] unsigned descriptorBits() const { return filigree_sdag_descriptor_bits_(this); }
+    [[nodiscard]] uint64_t descriptorBlockBytes(uint32_t mapCount) const {
+        return filigree_sdag_descriptor_bytes_(this, mapCount);
     }
-    [[nodiscard]] uint64_t descriptorBlockBytes(uint32_t mapCount) const;
 };
 
 // Where the parts of a payload begin, in bytes.
-struct Offsets {
-    uint64_t patterns = 0;
-    uint64_t heads = 0;
-    std::array<uint64_t, nodeHeights> nodes{};
-    uint64_t shares = 0;
-    uint64_t shared = 0;
-    uint64_t blocks = 0;
-    uint64_t padding = 0;
-    uint64_t flat = 0;
-    uint64_t end = 0;
-};
-Offsets offsetsOf(const Head& head, micromap::Format format);
+using Offsets = filigree_sdag_offsets;
+inline Offsets offsetsOf(const Head& head, micromap::Format format) {
+    return filigree_sdag_offsets_(&head, static_cast<unsigned>(format));
+}
 
 // `to` and `from` hold Head::bytes.
 void writeHead(const Head& head, std::span<uint8_t> to);
-Head readHead(std::span<const uint8_t> from);
+inline Head readHead(std::span<const uint8_t> from) {
+    return Head(filigree_sdag_head_(from.data()));
+}
 
 }  // namespace filigree::encoding::sdag

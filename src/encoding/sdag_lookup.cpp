@@ -16,7 +16,7 @@ namespace filigree::encoding {
 
 // What the kernels read.
 struct SdagBytes {
-    const SdagReader::Layout& layout;
+    const filigree_sdag& layout;
     const uint8_t* descriptors;
     const uint8_t* payload;
     unsigned patternShift;  // log2 of a pattern's bytes
@@ -59,8 +59,8 @@ inline LaneVector gatherBytes(const uint8_t* base, LaneVector offsets) {
 class Descent {
   public:
     Descent(const SdagBytes& bytes, LaneVector map, LaneVector a, LaneVector b) : bytes_(bytes) {
-        const SdagReader::Layout& layout = bytes.layout;
-        const auto bit = hn::Mul(map, set(layout.descriptorBits));
+        const filigree_sdag& layout = bytes.layout;
+        const auto bit = hn::Mul(map, set(layout.descriptor_bits));
         auto fields = hn::Shr(gatherBytes(bytes.descriptors, hn::ShiftRight<3>(bit)), lowBits(bit, 3));
         const auto take = [&](unsigned count) {
             const auto field = lowBits(fields, count);
@@ -69,12 +69,12 @@ class Descent {
         };
         // Most sets have one level.
         level_ = set(layout.levels[0]);
-        if (layout.levelBits > 0) {
-            level_ = lowBits(gatherBytes(layout.levels.data(), take(layout.levelBits)), 8);
+        if (layout.level_bits > 0) {
+            level_ = lowBits(gatherBytes(layout.levels, take(layout.level_bits)), 8);
         }
-        const auto flat = take(layout.flatBit);
+        const auto flat = take(layout.flat_bit);
         turn(take(3), a, b);
-        number_ = take(layout.valueBits);
+        number_ = take(layout.value_bits);
         found_ = hn::IfThenElseZero(hn::Ne(flat, set(0)), set(leftOver));
         open_ = hn::Eq(flat, set(0));
     }
@@ -83,7 +83,7 @@ class Descent {
     LaneVector run() {
         for (unsigned height = 12; height > 4; height -= 2) node(height);
         const auto isLeaf = hn::And(open_, hn::Gt(set(5), level_));
-        leaf_ = hn::IfThenElse(isLeaf, hn::Add(number_, place(bytes_.layout.shared)), leaf_);
+        leaf_ = hn::IfThenElse(isLeaf, hn::Add(number_, place(bytes_.layout.at.shared)), leaf_);
         if (!hn::AllFalse(d_, open_)) leaf();
         return found_;
     }
@@ -118,16 +118,17 @@ class Descent {
     }
 
     void node(unsigned height) {
-        const SdagReader::Layout& layout = bytes_.layout;
+        const filigree_sdag& layout = bytes_.layout;
         const auto on = hn::And(open_, hn::Gt(level_, set(height - 2)));
         if (hn::AllFalse(d_, on)) return;
-        const auto at = hn::Add(hn::Mul(number_, set(layout.nodeBytes)), place(layout.nodes[height / 2 - 3]));
+        const auto at =
+            hn::Add(hn::Mul(number_, set(layout.node_bytes)), place(layout.at.nodes[height / 2 - 3]));
         const auto head = gather(on, at);
         const auto child = grandchildAt(height - 2);
         settle(on, head, child);
         const auto below = hn::And(on, open_);
         if (hn::AllFalse(d_, below)) return;
-        const auto base = lowBits(gather(below, hn::Add(at, set(4))), 8 * (layout.nodeBytes - 4));
+        const auto base = lowBits(gather(below, hn::Add(at, set(4))), 8 * (layout.node_bytes - 4));
         if (height > 6) {
             number_ = hn::IfThenElse(below, hn::Add(base, rankBelow(lowBits(head, 16), child)), number_);
         } else {
@@ -137,17 +138,17 @@ class Descent {
 
     [[nodiscard]] LaneVector leafUnder(LaneMask lanes, LaneVector head, LaneVector base,
                                        LaneVector child) const {
-        const SdagReader::Layout& layout = bytes_.layout;
+        const filigree_sdag& layout = bytes_.layout;
         const auto mixed = lowBits(head, 16);
         const auto shared = hn::And(mixed, hn::ShiftRight<16>(head));
         const auto own = hn::AndNot(shared, mixed);
         const auto bit = hn::Add(hn::ShiftLeft<3>(rankBelow(own, child)),
-                                 hn::Mul(rankBelow(shared, child), set(layout.referenceBits)));
-        const auto block = hn::Add(base, place(layout.blocks));
+                                 hn::Mul(rankBelow(shared, child), set(layout.reference_bits)));
+        const auto block = hn::Add(base, place(layout.at.blocks));
         const auto loaded = gather(lanes, hn::Add(block, hn::ShiftRight<3>(bit)));
         const auto reference = hn::Shr(loaded, lowBits(bit, 3));
         return hn::IfThenElse(bitAt(shared, child),
-                              hn::Add(place(layout.shared), lowBits(reference, layout.referenceBits)),
+                              hn::Add(place(layout.at.shared), lowBits(reference, layout.reference_bits)),
                               hn::Add(block, lowBits(reference, 8)));
     }
 
@@ -160,7 +161,7 @@ class Descent {
         const auto isRaw = hn::And(isEscaped, hn::Eq(second, set(1)));
         const auto inTable = hn::AndNot(isEscaped, open_);
         const auto code = hn::ShiftLeft<2>(longCode(isLong, first, second));
-        auto head = gather(inTable, hn::Add(place(bytes_.layout.heads), code));
+        auto head = gather(inTable, hn::Add(place(bytes_.layout.at.heads), code));
         if (!hn::AllFalse(d_, isEscaped)) {
             const auto plain = gather(isEscaped, hn::Add(leaf_, set(2)));
             head = hn::IfThenElse(isEscaped, hn::IfThenElse(isRaw, set(0xffff), plain), head);
@@ -204,7 +205,7 @@ class Descent {
 
     [[nodiscard]] LaneVector tablePattern(LaneMask lanes, LaneVector code) const {
         const auto at = hn::Shl(code, set(bytes_.patternShift));
-        return gather(lanes, hn::Add(place(bytes_.layout.patterns), at));
+        return gather(lanes, hn::Add(place(bytes_.layout.at.patterns), at));
     }
 
     // A state has as many bits as patternShift.
@@ -303,8 +304,8 @@ constexpr size_t chunk = 256;
 // 32-bit lanes hold all offsets, and each field with what stands before it in its byte.
 bool SdagReader::fitsLanes() const {
     constexpr unsigned widest = 32 - 7;
-    return set_.payload.size() < INT32_MAX && uint64_t{mapCount()} * layout_.descriptorBits < UINT32_MAX &&
-           layout_.descriptorBits <= widest && layout_.referenceBits <= widest;
+    return set_.payload.size() < INT32_MAX && uint64_t{mapCount()} * view_.descriptor_bits < UINT32_MAX &&
+           view_.descriptor_bits <= widest && view_.reference_bits <= widest;
 }
 
 // Some lookups at a time: planes, kernel, and the rare rest one by one. planesOfSome(first, levels, a, b)
@@ -319,13 +320,13 @@ void SdagReader::lookupInChunks(std::span<const uint32_t> maps, std::span<microm
     std::array<uint8_t, chunk> found;
     found.fill(leftOver);
     const bool inLanes = fitsLanes();
-    const SdagBytes bytes{layout_, descriptors_, payload_, fourState_ ? 2u : 1u};
+    const SdagBytes bytes{view_, view_.descriptors, view_.payload, view_.four_state != 0 ? 2u : 1u};
     for (size_t first = 0; first < maps.size(); first += chunk) {
         const size_t count = std::min(chunk, maps.size() - first);
         // Lanes behind the last lookup repeat its map.
         std::fill(std::copy_n(maps.begin() + static_cast<std::ptrdiff_t>(first), count, some.begin()),
                   some.end(), maps[first + count - 1]);
-        if (layout_.levelBits > 0 || first == 0) {
+        if (view_.level_bits > 0 || first == 0) {
             for (size_t k = 0; k < count; ++k) levels[k] = level(some[k]);
         }
         planesOfSome(first, std::span(levels).first(count), std::span(a).first(count),
@@ -335,8 +336,10 @@ void SdagReader::lookupInChunks(std::span<const uint32_t> maps, std::span<microm
             (bytes, some.data(), a.data(), b.data(), found.data(), (count + 15) / 16 * 16);
         }
         for (size_t k = 0; k < count; ++k) {
-            states[first + k] = found[k] < leftOver ? static_cast<micromap::State>(found[k])
-                                                    : stateOf(descriptor(some[k]), {a[k], b[k]});
+            states[first + k] = static_cast<micromap::State>(
+                found[k] < leftOver ? found[k]
+                                    : filigree_sdag_state_of_(
+                                          &view_, filigree_sdag_descriptor_(&view_, some[k]), {a[k], b[k]}));
         }
     }
 }

@@ -1,4 +1,5 @@
 // Everything that must hold before lookups may trust the bytes of an sdag.
+#include "filigree/core/bytes.h"
 #include "filigree/encoding/sdag.h"
 
 #include "encoding/checks.h"
@@ -21,13 +22,13 @@ Status checkHead(const Head& head, const EncodedView& set) {
     if ((set.descriptors[0] & ~3u) != 0) {
         return formatError("descriptors: byte 0: flags {}, expected at most 3", set.descriptors[0]);
     }
-    if (head.baseBytes > 4 || head.referenceBits > 32 || head.valueBits > 32) {
+    if (head.base_bytes > 4 || head.reference_bits > 32 || head.value_bits > 32) {
         return formatError("descriptors: bytes 1 to 3: widths {}, {}, {}, expected at most 4, 32, 32",
-                           head.baseBytes, head.referenceBits, head.valueBits);
+                           head.base_bytes, head.reference_bits, head.value_bits);
     }
-    if ((head.referenceBits == 0) != (head.sharedBytes == 0)) {
+    if ((head.reference_bits == 0) != (head.shared_bytes == 0)) {
         return formatError("descriptors: byte 2: references of {} bits to {} bytes of leaves",
-                           head.referenceBits, head.sharedBytes);
+                           head.reference_bits, head.shared_bytes);
     }
     if (head.levels >> (micromap::maxLevel + 1) != 0 || (head.levels == 0) != (set.mapCount == 0)) {
         return formatError("descriptors: byte 4: levels {:#x} for {} maps", head.levels, set.mapCount);
@@ -36,8 +37,8 @@ Status checkHead(const Head& head, const EncodedView& set) {
         return formatError("descriptors: byte 8: tables of {} and {}, expected at most {}", head.patterns,
                            head.heads, codeLimit);
     }
-    if (head.flatMaps != (head.flatBytes != 0) || head.flatBytes > set.payload.size()) {
-        return formatError("descriptors: byte 40: {} bytes of flat maps in a payload of {}", head.flatBytes,
+    if ((head.flat_maps != 0) != (head.flat_bytes != 0) || head.flat_bytes > set.payload.size()) {
+        return formatError("descriptors: byte 40: {} bytes of flat maps in a payload of {}", head.flat_bytes,
                            set.payload.size());
     }
     return {};
@@ -114,7 +115,7 @@ class Checker {
     }
 
     Status checkShared() {
-        isShared_.resize(head_.sharedBytes);
+        isShared_.resize(head_.shared_bytes);
         uint64_t place = at_.shared;
         while (place < at_.blocks) {
             isShared_[place - at_.shared] = true;
@@ -139,7 +140,7 @@ class Checker {
         const uint32_t mixed = loadLe<uint16_t>(payload_ + place);
         const uint32_t opaque = loadLe<uint16_t>(payload_ + place + 2);
         uint32_t base = 0;
-        for (unsigned k = 0; k < head_.baseBytes; ++k) base |= uint32_t{payload_[place + 4 + k]} << (8 * k);
+        for (unsigned k = 0; k < head_.base_bytes; ++k) base |= uint32_t{payload_[place + 4 + k]} << (8 * k);
         if (mixed == 0) {
             if (base == 0) return {};
             return formatError("payload: byte {}: node without mixed children has base {}", place, base);
@@ -178,14 +179,14 @@ class Checker {
             if (!next) return next.error();
             end = *next;
         }
-        if (end == head_.blockBytes) return {};
-        return formatError("payload: blocks of {} bytes, expected {}", head_.blockBytes, end);
+        if (end == head_.block_bytes) return {};
+        return formatError("payload: blocks of {} bytes, expected {}", head_.block_bytes, end);
     }
 
     Result<uint64_t> blockEnd(const Block& block) {
         const uint32_t kinds = block.kinds();
         const auto shared = static_cast<unsigned>(std::popcount(kinds));
-        const unsigned bits = 8 * (block.count() - shared) + head_.referenceBits * shared;
+        const unsigned bits = 8 * (block.count() - shared) + head_.reference_bits * shared;
         const uint64_t begin = at_.blocks + block.base;
         const uint64_t bytes = (bits + 7) / 8;
         if (begin + bytes > at_.padding) return formatError("payload: byte {}: block is cut short", begin);
@@ -194,7 +195,7 @@ class Checker {
         unsigned bit = 0;
         for (unsigned rank = 0; rank < block.count(); ++rank) {
             const bool isOwn = ((kinds >> rank) & 1) == 0;
-            const unsigned width = isOwn ? 8 : head_.referenceBits;
+            const unsigned width = isOwn ? 8 : head_.reference_bits;
             const uint64_t reference = bitsAt(begin, bit, width);
             bit += width;
             if (!isOwn) {
@@ -292,8 +293,8 @@ class Checker {
         if (used != head_.levels) {
             return formatError("descriptors: byte 4: levels {:#x}, the maps have {:#x}", head_.levels, used);
         }
-        if (flat != head_.flatBytes) {
-            return formatError("descriptors: byte 40: {} bytes of flat maps, expected {}", head_.flatBytes,
+        if (flat != head_.flat_bytes) {
+            return formatError("descriptors: byte 40: {} bytes of flat maps, expected {}", head_.flat_bytes,
                                flat);
         }
         const uint64_t end = Head::bytes + uint64_t{width} * set_.mapCount / 8;
@@ -314,9 +315,9 @@ class Checker {
         const std::optional<unsigned> level = levelNumbered(take(head_.levelBits()));
         if (!level) return formatError("descriptors: map {}: no such level", map);
         used |= 1u << *level;
-        const bool isFlat = head_.flatMaps && take(1) != 0;
+        const bool isFlat = head_.flat_maps != 0 && take(1) != 0;
         const uint32_t symmetry = take(symmetryBits);
-        const uint32_t value = take(head_.valueBits);
+        const uint32_t value = take(head_.value_bits);
         if (symmetry >= (isFlat ? 1 : micromap::symmetryCount)) {
             return formatError("descriptors: map {}: symmetry {}", map, symmetry);
         }
@@ -336,9 +337,9 @@ class Checker {
 
     Status checkFlat(uint32_t map, unsigned level, uint32_t value, uint64_t& flat) const {
         const uint64_t bytes = micromap::flatBytes(level, set_.format);
-        if (value != flat || bytes > head_.flatBytes - flat) {
+        if (value != flat || bytes > head_.flat_bytes - flat) {
             return formatError("descriptors: map {}: flat at {}, expected at {} of {}", map, value, flat,
-                               head_.flatBytes);
+                               head_.flat_bytes);
         }
         const uint64_t states = micromap::microTriangleCount(level) * micromap::bitsPerState(set_.format);
         if (states % 8 != 0 && (payload_[at_.flat + flat + states / 8] >> (states % 8)) != 0) {
@@ -358,34 +359,6 @@ class Checker {
     uint64_t referenceBytes_ = 0;
 };
 
-SdagReader::Layout layoutOf(const Head& head, const Offsets& at) {
-    SdagReader::Layout layout;
-    layout.levelBits = head.levelBits();
-    layout.flatBit = head.flatMaps ? 1 : 0;
-    layout.valueBits = head.valueBits;
-    layout.descriptorBits = head.descriptorBits();
-    layout.nodeBytes = head.nodeBytes();
-    layout.referenceBits = head.referenceBits;
-    layout.hasShares = head.shares;
-    unsigned number = 0;
-    for (unsigned level = 0; level <= micromap::maxLevel; ++level) {
-        if (((head.levels >> level) & 1) != 0) layout.levels[number++] = static_cast<uint8_t>(level);
-    }
-    layout.patterns = at.patterns;
-    layout.heads = at.heads;
-    layout.nodes = at.nodes;
-    uint64_t share = at.shares;
-    for (unsigned slot = 0; slot < nodeHeights; ++slot) {
-        layout.nodeShares[slot] = share;
-        share += uint64_t{2} * head.nodes[slot];
-    }
-    layout.shared = at.shared;
-    layout.blocks = at.blocks;
-    layout.padding = at.padding;
-    layout.flat = at.flat;
-    return layout;
-}
-
 }  // namespace
 
 Result<SdagReader> SdagReader::open(const EncodedView& set) {
@@ -399,9 +372,7 @@ Result<SdagReader> SdagReader::open(const EncodedView& set) {
     if (auto checked = checkSizes(head, at, set); !checked) return checked.error();
     Checker checker(set, head, at);
     if (auto checked = checker.run(); !checked) return checked.error();
-    Layout layout = layoutOf(head, at);
-    layout.referenceBytes = checker.referenceBytes();
-    return SdagReader(set, layout);
+    return SdagReader(set, openedAs<filigree_sdag>(filigree_sdag_open, set), checker.referenceBytes());
 }
 
 }  // namespace filigree::encoding

@@ -1,5 +1,6 @@
 #include "filigree/encoding/tree.h"
 
+#include "encoding/checks.h"
 #include "encoding/tree_read.h"
 
 namespace filigree::encoding {
@@ -9,7 +10,7 @@ Result<TreeReader> TreeReader::open(const EncodedView& set) {
         [](uint64_t, unsigned) { return uint64_t{0}; },
         [](const TreeStructure&, std::span<const uint8_t>) -> const char* { return nullptr; }, 0};
     if (const auto status = checkTrees(set, none); !status) return status.error();
-    return TreeReader(set);
+    return TreeReader(set, openedAs<filigree_tree>(filigree_tree_open, set));
 }
 
 micromap::Quadtree TreeReader::decode(uint32_t map) const {

@@ -5,8 +5,8 @@
 #include "filigree/encoding/encoded_set.h"
 #include "filigree/micromap/state.h"
 
-#include <algorithm>
-#include <bit>
+#include "filigree_lookup.h"
+
 #include <cstdint>
 
 namespace filigree::encoding {
@@ -21,23 +21,17 @@ constexpr uint64_t leafCount(uint64_t inner) {
     return 3 * inner + 1;
 }
 constexpr uint64_t structureBytes(uint64_t inner) {
-    return (structureBits(inner) + 7) / 8;
+    return filigree_tree_structure_bytes(inner);
 }
 constexpr uint64_t valueBytes(uint64_t inner, micromap::Format format) {
-    return (leafCount(inner) * micromap::bitsPerState(format) + 7) / 8;
+    return filigree_tree_value_bytes(inner, format == micromap::Format::fourState ? 1 : 0);
 }
 
 // One map: where it stands in the payload and what it holds.
-struct TreeDescriptor {
-    uint32_t offset = 0;
-    uint32_t inner = 0;  // inner nodes, below 2^24
-    unsigned level = 0;
-};
+using TreeDescriptor = filigree_tree_map;
 
 inline TreeDescriptor loadTreeDescriptor(const EncodedView& set, uint32_t map) {
-    const uint8_t* from = set.descriptors.data() + treeDescriptorBytes * map;
-    const auto shape = loadLe<uint32_t>(from + 4);
-    return {loadLe<uint32_t>(from), shape & 0xffffff, shape >> 24};
+    return filigree_tree_map_(set.descriptors.data() + treeDescriptorBytes * map);
 }
 
 inline void storeTreeDescriptor(uint8_t* to, const TreeDescriptor& map) {
@@ -48,17 +42,17 @@ inline void storeTreeDescriptor(uint8_t* to, const TreeDescriptor& map) {
 // The depth of the highest node that begins at curve index `first`. Nodes that begin at one index are a run
 // of inner nodes and a leaf in the structure.
 inline unsigned topDepth(uint64_t first, unsigned level) {
-    if (first == 0) return 0;
-    return level - std::min(level, static_cast<unsigned>(std::countr_zero(first)) / 2);
+    return filigree_tree_top_depth_(static_cast<uint32_t>(first), level);
 }
 
 inline unsigned bitAt(const uint8_t* bytes, uint64_t bit) {
-    return bytes[bit / 8] >> (bit % 8) & 1u;
+    return filigree_bit_(bytes, static_cast<uint32_t>(bit));
 }
 
 inline micromap::State valueAt(const uint8_t* values, uint64_t leaf, micromap::Format format) {
-    if (format == micromap::Format::twoState) return static_cast<micromap::State>(bitAt(values, leaf));
-    return static_cast<micromap::State>(values[leaf / 4] >> (leaf % 4 * 2) & 3u);
+    const unsigned shift = format == micromap::Format::fourState ? 1 : 0;
+    return static_cast<micromap::State>(
+        filigree_value_(values, static_cast<uint32_t>(leaf), shift, 2 * shift + 1));
 }
 
 }  // namespace filigree::encoding

@@ -91,45 +91,10 @@ namespace filigree::encoding {
 
 HWY_EXPORT(lookupTree);
 
-namespace {
-
-// The paper's names: t is the place in the structure, d the leaf, child the subtrees still to skip.
-struct Scanned {
-    uint64_t t = 0;
-    uint64_t d = 0;
-};
-
-Scanned scanTo(const uint8_t* structure, unsigned level, uint32_t index) {
-    uint64_t t = 0;
-    uint64_t d = 0;
-    unsigned height = 2 * level;
-    while (bitAt(structure, t) != 0) {
-        ++t;
-        height -= 2;
-        for (uint64_t child = index >> height & 3; child > 0; --child, ++t) {
-            if (bitAt(structure, t) != 0) {
-                child += 4;
-            } else {
-                ++d;
-            }
-        }
-    }
-    return {t, d};
-}
-
-}  // namespace
-
-micromap::State TreeReader::at(uint32_t map, uint32_t index) const {
-    const TreeDescriptor found = loadTreeDescriptor(set_, map);
-    const uint8_t* structure = set_.payload.data() + found.offset;
-    const uint64_t leaf = scanTo(structure, found.level, index).d;
-    return valueAt(structure + structureBytes(found.inner), leaf, set_.format);
-}
-
 uint64_t TreeReader::bitsRead(uint32_t map, uint32_t index) const {
     const TreeDescriptor found = loadTreeDescriptor(set_, map);
     const uint8_t* structure = set_.payload.data() + found.offset;
-    return 8 * treeDescriptorBytes + scanTo(structure, found.level, index).t + 1 +
+    return 8 * treeDescriptorBytes + filigree_tree_scan_(structure, found.level, index).t + 1 +
            micromap::bitsPerState(set_.format);
 }
 

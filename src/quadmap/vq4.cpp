@@ -2,6 +2,7 @@
 
 #include "filigree/core/bytes.h"
 
+#include "filigree_lookup.h"
 #include "quadmap/fields.h"
 
 namespace filigree::quadmap {
@@ -56,27 +57,6 @@ constexpr unsigned vq4TransformBits = 3;
 constexpr auto vq4Kinds = kindsOf(3, 8, true);
 constexpr auto vq4PlusKinds = kindsOf(8, 3, false);
 
-// Which bit of the tail is the palette of each part of each word.
-using PalettePlaces = std::array<std::array<uint8_t, 4>, word4Count>;
-constexpr PalettePlaces placesOf(const std::array<Word4Kind, word4Count>& kinds, unsigned first) {
-    PalettePlaces places{};
-    for (size_t k = 0; k < word4Count; ++k) {
-        for (unsigned bit = 0; bit < paletteBits(kinds[k]); ++bit) {
-            for (unsigned part = 0; part < 4; ++part) {
-                const unsigned covered = palettesFrom(kinds[k], 1U << bit);
-                if ((covered >> part & 1) != 0) places[k][part] = static_cast<uint8_t>(first + bit);
-            }
-        }
-        first += paletteBits(kinds[k]);
-    }
-    return places;
-}
-constexpr std::array<PalettePlaces, 2> palettePlaces{placesOf(vq4Kinds, 9), placesOf(vq4PlusKinds, 24)};
-
-unsigned indexAt(Vq4View block, unsigned x, unsigned y) {
-    return loadLe<uint32_t>(block.data() + y / 4 * 4) >> (x / 4 * 4) & 15;
-}
-
 }  // namespace
 
 const std::array<Word4Kind, word4Count>& word4Kinds(Vq4Layout layout) {
@@ -124,7 +104,7 @@ Vq4 unpackVq4(Vq4View block, Vq4Layout layout) {
 }
 
 unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
-    if (indexAt(block, x, y) < 3) return vq4IndexBits;
+    if (filigree_vq4_index_(block.data(), x, y) < 3) return vq4IndexBits;
     const bool isStored = layout != Vq4Layout::vq4 || groupOf(layout, x / 4, y / 4) > 0;
     // The word's mask, and of its palettes that of the region's part.
     return vq4IndexBits + (isStored ? vq4TransformBits : 0) + 16 + 1;
@@ -132,21 +112,8 @@ unsigned vq4BitsRead(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
 
 Region vq4Region(Vq4View block, Vq4Layout layout, unsigned x, unsigned y) {
     assert(x < vq4Side && y < vq4Side);
-    const unsigned index = indexAt(block, x, y);
-    if (index < 3) return static_cast<Region>(index);
-    const uint64_t tail = loadLe<uint64_t>(block.data() + vq4Bytes - 8) >> 16;
-    const unsigned group = groupOf(layout, x / 4, y / 4);
-    // The first quadrant of VQ4 stores no transform.
-    const uint64_t transforms = layout == Vq4Layout::vq4 ? (tail & 511) << 3 : tail;
-    const auto transform = static_cast<Transform>(transforms >> (3 * group) & 7);
-    const Cell cell = storedCell(transform, 4, {x % 4, y % 4});
-    const unsigned mask = loadLe<uint16_t>(block.data() + wordStart + size_t{2} * (index - 3));
-    const unsigned known = mask >> (4 * cell.y + cell.x) & 1U;
-    const unsigned part = cell.y / 2 * 2 + cell.x / 2;
-    const unsigned place = palettePlaces[static_cast<size_t>(layout)][index - 3][part];
-    const auto palette = static_cast<unsigned>(tail >> place & 1U);
-    // 1 for mixed, else 0 or 2.
-    return static_cast<Region>(1 - known + 2 * (known & palette));
+    const unsigned plus = layout == Vq4Layout::vq4Plus ? 1 : 0;
+    return static_cast<Region>(filigree_vq4_any_region_(block.data(), plus, x, y));
 }
 
 }  // namespace filigree::quadmap

@@ -1,3 +1,4 @@
+#include "filigree/core/bytes.h"
 #include "filigree/encoding/dag.h"
 
 #include "encoding/dag_layout.h"

@@ -40,7 +40,7 @@ TEST(Sdag, WritesTheBytesOfThePage) {
     EXPECT_EQ(head.nodes[0], 1u);
     EXPECT_EQ(head.patterns, 0u);  // would not pay for one use
     EXPECT_EQ(head.heads, 1u);
-    EXPECT_EQ(head.baseBytes, 1u);
+    EXPECT_EQ(head.base_bytes, 1u);
     // Index 0 lies at vertex 0: digit (1, 1) on all levels, grandchild 15.
     std::vector<uint8_t> expected{0x00, 0x80, 0xff, 0x7f,  // the table's head
                                   0x00, 0x80, 0xff, 0x7f,  // the node's mixed and opaque
@@ -138,7 +138,7 @@ TEST(Sdag, RefusesAReferenceWithoutALeaf) {
     const Quadtree map = tests::noise(4, 0.5, random);
     EncodedSet set = encodeMaps({map, tests::disc(4, 0.5)}, Format::fourState);
     sdag::Head head = sdag::readHead(set.descriptors);
-    ASSERT_GT(head.sharedBytes, 0u);
+    ASSERT_GT(head.shared_bytes, 0u);
     set.descriptors[sdag::Head::bytes] |= 0xf8;  // an address past the leaves, or a symmetry that is none
     EXPECT_FALSE(SdagReader::open(viewOf(set)).ok());
 }

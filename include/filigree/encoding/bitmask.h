@@ -3,7 +3,6 @@
 #pragma once
 
 #include "filigree/core/api.h"
-#include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -11,7 +10,8 @@
 #include "filigree/image/alpha_image.h"
 #include "filigree/micromap/state.h"
 
-#include <algorithm>
+#include "filigree_lookup.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -33,20 +33,21 @@ struct BitmaskAxis {
     image::Wrap wrap = image::Wrap::repeat;
     bool betweenTexels = true;
 
+    // As lookups have it.
+    static BitmaskAxis of(filigree_bitmask_axis axis) {
+        return {axis.size, static_cast<image::Wrap>(axis.wrap), axis.between_texels != 0};
+    }
+    [[nodiscard]] filigree_bitmask_axis plain() const {
+        return {size, static_cast<uint32_t>(wrap), betweenTexels ? 1u : 0u};
+    }
+
     // One more cell than texels, -1 to size - 1, where the border is between texels, too.
-    [[nodiscard]] uint32_t extra() const { return betweenTexels && wrap != image::Wrap::repeat ? 1 : 0; }
+    [[nodiscard]] uint32_t extra() const { return filigree_bitmask_extra(plain()); }
     [[nodiscard]] uint32_t cells() const { return size + extra(); }
     [[nodiscard]] int64_t firstCell() const { return -int64_t{extra()}; }
 
     // Which of the stored cells any cell equals, mirrored ones by their mirror image.
-    [[nodiscard]] uint32_t stored(int64_t cell) const {
-        const int64_t at = cell - firstCell();
-        if (at >= 0 && at < cells()) return static_cast<uint32_t>(at);
-        if (wrap == image::Wrap::clampToEdge) return at < 0 ? 0 : cells() - 1;
-        const int64_t period = wrap == image::Wrap::repeat ? int64_t{size} : 2 * int64_t{size};
-        const int64_t in = (at % period + period) % period;
-        return static_cast<uint32_t>(in < cells() ? in : period - 1 + extra() - in);
-    }
+    [[nodiscard]] uint32_t stored(int64_t cell) const { return filigree_bitmask_stored(plain(), cell); }
 };
 
 // Looks states up in a set that was checked when it was opened. Looks into the view that it was opened from.
@@ -56,28 +57,24 @@ class FILIGREE_API BitmaskReader {
     static Result<BitmaskReader> open(const EncodedView& set);
 
     [[nodiscard]] uint32_t textureCount() const { return set_.mapCount; }
-    [[nodiscard]] BitmaskAxis axisU(uint32_t texture) const { return axis(texture, 4, 0); }
-    [[nodiscard]] BitmaskAxis axisV(uint32_t texture) const { return axis(texture, 6, 2); }
+    [[nodiscard]] BitmaskAxis axisU(uint32_t texture) const {
+        return BitmaskAxis::of(filigree_bitmask_axis_u_(record(texture)));
+    }
+    [[nodiscard]] BitmaskAxis axisV(uint32_t texture) const {
+        return BitmaskAxis::of(filigree_bitmask_axis_v_(record(texture)));
+    }
 
     // The state of the cell of texture < textureCount() that holds the texture coordinate (u, v). 4-state: a
     // known one holds all over the cell; an unknown one has the side of the cell's centre. 2-state: the side
     // of the cell's centre. Beyond 2^40 texels, and for NaN, unknown-opaque, 2-state opaque.
     [[nodiscard]] micromap::State at(uint32_t texture, float u, float v) const {
-        const BitmaskAxis columns = axisU(texture);
-        const BitmaskAxis rows = axisV(texture);
-        const double half = columns.betweenTexels ? 0.5 : 0;
-        const double x = double{u} * columns.size - half;
-        const double y = double{v} * rows.size - half;
-        if (!(x > -reach && x < reach && y > -reach && y < reach)) return outOfReach();
-        const uint64_t cell =
-            uint64_t{rows.stored(floorOf(y))} * columns.cells() + columns.stored(floorOf(x));
-        const uint64_t bit = cell << widthShift_;
-        const unsigned byte = set_.payload.data()[loadLe<uint32_t>(descriptor(texture)) + bit / 8];
-        return static_cast<micromap::State>((byte >> (bit % 8)) & stateMask_);
+        return static_cast<micromap::State>(filigree_bitmask_at_point(&view_, texture, u, v));
     }
 
     // Bits of at() (docs/spec/bits-read.md).
-    [[nodiscard]] uint64_t bitsRead() const { return 8 * descriptorBytes + (1u << widthShift_); }
+    [[nodiscard]] uint64_t bitsRead() const {
+        return 8 * descriptorBytes + micromap::bitsPerState(set_.format);
+    }
 
     // at(textures[k], u[k], v[k]) into states[k] for all k, in SIMD. All spans have one length.
     void lookup(std::span<const uint32_t> textures, std::span<const float> u, std::span<const float> v,
@@ -90,28 +87,14 @@ class FILIGREE_API BitmaskReader {
     static constexpr double reach = 1099511627776.0;  // 2^40 texels
     static constexpr size_t descriptorBytes = 12;
 
-    explicit BitmaskReader(const EncodedView& set)
-        : set_(set),
-          widthShift_(set.format == micromap::Format::fourState ? 1 : 0),
-          stateMask_((1u << micromap::bitsPerState(set.format)) - 1) {}
+    BitmaskReader(const EncodedView& set, const filigree_bitmask& view) : set_(set), view_(view) {}
 
-    static int64_t floorOf(double x) {
-        const auto towardsZero = static_cast<int64_t>(x);
-        return towardsZero - (x < static_cast<double>(towardsZero) ? 1 : 0);
-    }
-    [[nodiscard]] micromap::State outOfReach() const { return static_cast<micromap::State>(stateMask_); }
-    [[nodiscard]] const uint8_t* descriptor(uint32_t texture) const {
-        return set_.descriptors.data() + descriptorBytes * texture;
-    }
-    [[nodiscard]] BitmaskAxis axis(uint32_t texture, size_t sizeAt, unsigned wrapShift) const {
-        const uint8_t* from = descriptor(texture);
-        return {loadLe<uint16_t>(from + sizeAt) + 1u, static_cast<image::Wrap>((from[8] >> wrapShift) & 3),
-                (from[8] & 16) == 0};
+    [[nodiscard]] const uint8_t* record(uint32_t texture) const {
+        return filigree_bitmask_record_(&view_.blocks, texture);
     }
 
     EncodedView set_;
-    unsigned widthShift_;  // log2 of a state's bits
-    unsigned stateMask_;
+    filigree_bitmask view_;
 };
 
 // A bitmask for each source; texture k of the set is sources[k]. The result does not depend on the executor.

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "filigree/core/api.h"
-#include "filigree/core/bytes.h"
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
@@ -12,8 +11,8 @@
 #include "filigree/micromap/quadtree.h"
 #include "filigree/micromap/set.h"
 
-#include <algorithm>
-#include <cstddef>
+#include "filigree_lookup.h"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,31 +21,18 @@ namespace filigree::encoding {
 
 // The place of a micro-triangle in row order. Row r, counted from vertex 0, starts at r * r.
 constexpr uint32_t rowOrderIndex(micromap::LatticeTriangle t) {
-    const uint32_t flipped = t.flipped ? 1 : 0;
-    const uint32_t row = t.i + t.j + flipped;
-    return row * row + 2 * t.j + flipped;
+    return filigree_row_order_of({t.i, t.j, t.flipped ? 1u : 0u});
 }
 
 // The same from a curve index.
 constexpr uint32_t rowOrderOfCurve(uint32_t index) {
-    return rowOrderIndex(micromap::latticeTriangle(index, 15));
+    return filigree_row_order_of_curve(index);
 }
 
 // The same from barycentrics, without the curve: the micro-triangle that micromap::barycentricsToIndex finds,
 // ties included.
 inline uint32_t rowOrderIndex(float u, float v, unsigned level) {
-    const auto n = static_cast<float>(1u << level);
-    const float scaledU = (u > 0 ? std::min(u, 1.0f) : 0.0f) * n;
-    const float scaledV = (v > 0 ? std::min(v, 1.0f) : 0.0f) * n;
-    const auto floorU = static_cast<int32_t>(scaledU);
-    const auto floorV = static_cast<int32_t>(scaledV);
-    const float fractions = (scaledU - static_cast<float>(floorU)) + (scaledV - static_cast<float>(floorV));
-    const int32_t last = (1 << level) - 1;
-    const int32_t j = std::min(floorV, last);
-    const int32_t sum = std::min(floorU, last) + j;
-    const int32_t flipped = fractions >= 1.0f && sum < last ? 1 : 0;
-    const int32_t row = std::min(sum, last) + flipped;
-    return static_cast<uint32_t>(row * row + 2 * j + flipped);
+    return filigree_row_order_at(u, v, level);
 }
 
 // What a set bit of a 1-bit mask means.
@@ -63,12 +49,12 @@ class FILIGREE_API GruenReader {
     static Result<GruenReader> open(const EncodedView& set);
 
     [[nodiscard]] uint32_t mapCount() const { return set_.mapCount; }
-    [[nodiscard]] unsigned level(uint32_t map) const { return loadLe<uint16_t>(record(map) + 4); }
+    [[nodiscard]] unsigned level(uint32_t map) const { return filigree_gruen_level(&view_, map); }
     [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const {
-        return atRowOrder(map, rowOrderOfCurve(index));
+        return static_cast<micromap::State>(filigree_gruen_at(&view_, map, index));
     }
     [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
-        return atRowOrder(map, rowOrderIndex(u, v, level(map)));
+        return static_cast<micromap::State>(filigree_gruen_at_point(&view_, map, u, v));
     }
     void lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
                 std::span<micromap::State> states) const;
@@ -76,28 +62,19 @@ class FILIGREE_API GruenReader {
                 std::span<micromap::State> states) const;
     // Bits of at(): the record and the state (docs/spec/bits-read.md).
     [[nodiscard]] uint64_t bitsRead(uint32_t, uint32_t) const {
-        return 8 * micromap::recordBytes + (1u << widthShift_);
+        return 8 * micromap::recordBytes + micromap::bitsPerState(set_.format);
     }
     [[nodiscard]] micromap::Quadtree decode(uint32_t map) const;
     [[nodiscard]] std::vector<Part> parts() const;
 
     // True when a set bit of a 1-bit mask says no more than "maybe opaque".
-    [[nodiscard]] bool isMaybeOpaque() const { return stateMask_ == 1 && stateScale_ == 3; }
+    [[nodiscard]] bool isMaybeOpaque() const { return view_.state_scale == 3; }
 
   private:
-    GruenReader(const EncodedView& set, bool maybeOpaque)
-        : set_(set),
-          widthShift_(set.format == micromap::Format::fourState ? 1 : 0),
-          stateMask_((1u << micromap::bitsPerState(set.format)) - 1),
-          stateScale_(maybeOpaque ? 3 : 1) {}
+    GruenReader(const EncodedView& set, const filigree_gruen& view) : set_(set), view_(view) {}
 
-    [[nodiscard]] const uint8_t* record(uint32_t map) const {
-        return set_.descriptors.data() + micromap::recordBytes * map;
-    }
     [[nodiscard]] micromap::State atRowOrder(uint32_t map, uint32_t at) const {
-        const uint32_t bit = at << widthShift_;
-        const unsigned byte = set_.payload.data()[size_t{loadLe<uint32_t>(record(map))} + bit / 8];
-        return static_cast<micromap::State>(((byte >> (bit % 8)) & stateMask_) * stateScale_);
+        return static_cast<micromap::State>(filigree_gruen_at_row_order(&view_, map, at));
     }
 
     // atRowOrder() of all, in SIMD.
@@ -105,9 +82,7 @@ class FILIGREE_API GruenReader {
                   std::span<micromap::State> states) const;
 
     EncodedView set_;
-    unsigned widthShift_;  // log2 of a state's bits
-    unsigned stateMask_;
-    unsigned stateScale_;  // of a stored value to a State
+    filigree_gruen view_;
 };
 
 // `maps` one after another; `bit` matters with Format::twoState only. ErrorKind::limit above 4 GiB - 1 of

@@ -6,8 +6,9 @@
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/encoding/encoded_set.h"
-#include "filigree/micromap/curve.h"
 #include "filigree/micromap/quadtree.h"
+
+#include "filigree_lookup.h"
 
 #include <cstdint>
 #include <span>
@@ -22,12 +23,14 @@ class FILIGREE_API TreeReader {
     static Result<TreeReader> open(const EncodedView& set);
 
     [[nodiscard]] uint32_t mapCount() const { return set_.mapCount; }
-    [[nodiscard]] unsigned level(uint32_t map) const { return set_.descriptors.data()[size_t{map} * 8 + 7]; }
+    [[nodiscard]] unsigned level(uint32_t map) const { return filigree_tree_level(&view_, map); }
     // Algorithm 3 as it is published: reads the structure bit by bit up to the leaf, about four times as long
     // at each level.
-    [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const;
+    [[nodiscard]] micromap::State at(uint32_t map, uint32_t index) const {
+        return static_cast<micromap::State>(filigree_tree_at(&view_, map, index));
+    }
     [[nodiscard]] micromap::State at(uint32_t map, float u, float v) const {
-        return at(map, micromap::barycentricsToIndex(u, v, level(map)));
+        return static_cast<micromap::State>(filigree_tree_at_point(&view_, map, u, v));
     }
     void lookup(std::span<const uint32_t> maps, std::span<const uint32_t> indices,
                 std::span<micromap::State> states) const;
@@ -39,9 +42,10 @@ class FILIGREE_API TreeReader {
     [[nodiscard]] std::vector<Part> parts() const;
 
   private:
-    explicit TreeReader(const EncodedView& set) : set_(set) {}
+    TreeReader(const EncodedView& set, const filigree_tree& view) : set_(set), view_(view) {}
 
     EncodedView set_;
+    filigree_tree view_;
 };
 
 // Encodes `maps` (algorithms 1 and 2). ErrorKind::limit above 4 GiB - 1 of payload.

@@ -20,26 +20,19 @@ struct Planes {
 };
 
 constexpr Planes planesOf(CurveCoordinates at, unsigned level) {
-    const uint32_t mask = (1u << level) - 1;
-    return {(at.u ^ at.w) & mask, (at.v ^ at.w) & mask};
+    const filigree_planes planes = filigree_planes_of(at, level);
+    return {planes.a, planes.b};
 }
 
 // The planes of curve index `index` < 4^level, level 0..15.
 constexpr Planes planesOfIndex(uint32_t index, unsigned level) {
-    const uint32_t mask = (1u << level) - 1;
-    const uint32_t low = detail::gather(index);
-    const uint32_t high = detail::gather(index >> 1);
-    // On the curve children 1 and 3 turn the order of 0 and 2 around in all that lies below them.
-    const uint32_t b = (low & high) | ~(low | (high ^ detail::prefixParity(low)));
-    return {~low & mask, b & mask};
+    const filigree_planes planes = filigree_planes_of_index(index, level);
+    return {planes.a, planes.b};
 }
 
 // The way back.
 constexpr uint32_t indexOfPlanes(Planes p, unsigned level) {
-    const uint32_t mask = (1u << level) - 1;
-    const uint32_t low = ~p.a & mask;
-    const uint32_t high = (low & p.b) | (~low & ~(p.b ^ detail::prefixParity(low)) & mask);
-    return detail::spread(low) | (detail::spread(high) << 1);
+    return filigree_index_of_planes({p.a, p.b}, level);
 }
 
 // The digit (2 a + b) of child 0..3 of the curve, below a node with an even or odd number of children 1 and 3
@@ -54,15 +47,11 @@ constexpr unsigned digitOfChild(unsigned child, bool odd) {
 inline constexpr unsigned symmetryCount = 6;
 
 // Four bits each, the lowest symmetry 0: m0..m3 of the map a' = m0 a ^ m1 b, b' = m2 a ^ m3 b.
-inline constexpr uint32_t symmetryMatrices = 0xe'7'b'd'6'9u;
-constexpr uint32_t symmetryMatrix(unsigned symmetry) {
-    return (symmetryMatrices >> (4 * symmetry)) & 15;
-}
+inline constexpr uint32_t symmetryMatrices = FILIGREE_SYMMETRY_MATRICES;
 
 constexpr Planes turned(Planes p, unsigned symmetry) {
-    const uint32_t m = symmetryMatrix(symmetry);
-    const auto pick = [&](unsigned bit, uint32_t plane) { return (0 - ((m >> bit) & 1)) & plane; };
-    return {pick(0, p.a) ^ pick(1, p.b), pick(2, p.a) ^ pick(3, p.b)};
+    const filigree_planes planes = filigree_planes_turned({p.a, p.b}, symmetry);
+    return {planes.a, planes.b};
 }
 
 // What `symmetry` makes of one digit.

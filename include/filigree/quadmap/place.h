@@ -3,6 +3,8 @@
 
 #include "filigree/quadmap/transform.h"
 
+#include "filigree_lookup.h"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -44,14 +46,14 @@ struct SquarePoint {
 
 // The point with weights u and v of vertices 1 and 2.
 constexpr SquarePoint pointInSquare(Half half, float u, float v) {
-    return half == Half::first ? SquarePoint{u, v} : SquarePoint{1 - u, 1 - v};
+    const filigree_square_point point = filigree_point_in_square(static_cast<unsigned>(half), u, v);
+    return {point.x, point.y};
 }
 
 // The column or row, of `side`, that holds coordinate `at`. Coordinates outside 0..1 and NaN count as the
 // nearest inside; NaN as 0.
 constexpr unsigned regionAlong(float at, unsigned side) {
-    const float inside = std::min(at > 0 ? at : 0.0F, 1.0F);
-    return std::min(static_cast<unsigned>(inside * static_cast<float>(side)), side - 1);
+    return filigree_region_along(at, side);
 }
 
 // Weights of vertices 1 and 2 of a half.

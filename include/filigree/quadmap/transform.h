@@ -1,6 +1,8 @@
 // The eight symmetries of a square, as table 1 of Fenney and Ozkan 2023 builds them.
 #pragma once
 
+#include "filigree_lookup.h"
+
 #include <cstdint>
 
 namespace filigree::quadmap {
@@ -18,14 +20,10 @@ struct Cell {
 };
 
 // The cell of a stored `side` x `side` grid that stands at `shown` once the grid is transformed. The side is
-// a power of two. No branches, since transforms follow no pattern.
+// a power of two.
 constexpr Cell storedCell(Transform transform, unsigned side, Cell shown) {
-    const unsigned last = side - 1;
-    const unsigned turned = 0U - (transform & 1U);
-    const unsigned x = shown.x ^ (last & (0U - (transform >> 2 & 1U)));
-    const unsigned y = shown.y ^ (last & (0U - (transform >> 1 & 1U)));
-    const unsigned exchange = (x ^ y) & turned;
-    return {x ^ exchange ^ (last & turned), y ^ exchange};
+    const filigree_cell stored = filigree_stored_cell(transform, side, shown.x, shown.y);
+    return {stored.x, stored.y};
 }
 
 // The transform that undoes `transform`: the two quarter turns undo each other, the others themselves.
