@@ -1,0 +1,3 @@
+#define FUNCTIONS lookup_functions_cxx11
+#define COMPILER "C++11"
+#include "functions.inc"
