@@ -14,12 +14,12 @@ Error errorAt(size_t node, const std::string& what) {
 
 // Fields that stand for themselves.
 Status checkFields(const Node& node, size_t at) {
-    for (size_t k = 0; k < width; ++k) {
-        if (node.meta[k] > 1) {
-            return errorAt(at, fmt::format("child {} is of kind {}; expected 0 or 1", k, node.meta[k]));
-        }
+    for (size_t bit = 0; bit < 3; ++bit) {
+        if (node.slotAxis(bit) > 2) return errorAt(at, "slots along axis 3; expected 0, 1 or 2");
     }
-    if ((node.leafMask() & node.innerMask) != 0) {
+    if (node.slotAxes > 63 || node.zeros != decltype(node.zeros){})
+        return errorAt(at, "bits behind the axes of the slots; expected zeros");
+    if ((node.leafMask & node.innerMask) != 0) {
         return errorAt(at, "a child is both a node and a leaf; expected one of them");
     }
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -72,7 +72,7 @@ class HierarchyCheck {
 
     Status followLeaves(size_t at) {
         const Node& node = nodes_[at];
-        const auto count = static_cast<uint64_t>(std::popcount(node.leafMask()));
+        const auto count = static_cast<uint64_t>(std::popcount(node.leafMask));
         if (count == 0) return {};
         if (node.firstLeaf + count > isLeafSeen_.size()) {
             return errorAt(at, fmt::format("leaves {} to {} of {}", node.firstLeaf,

@@ -5,6 +5,7 @@
 
 #include "bvh/collapse.h"
 #include "bvh/quantise.h"
+#include "bvh/slot_order.h"
 
 #include <array>
 #include <cstdint>
@@ -33,7 +34,7 @@ struct NodeParts {
         innerBranches[innerCount++] = branch;
     }
     void addLeaf(size_t slot, uint32_t item) {
-        node.meta[slot] = 1;
+        node.leafMask = static_cast<uint8_t>(node.leafMask | 1U << slot);
         leafItems[leafCount++] = item;
     }
 };
@@ -42,17 +43,26 @@ struct NodeParts {
 template <class IsLeaf>
 NodeParts partsOf(std::span<const Branch> tree, const Children& children, const IsLeaf& isLeaf) {
     NodeParts parts;
-    std::array<Box, width> boxes;
+    std::array<Box, width> given;
     for (size_t k = 0; k < children.count; ++k) {
+        const Bounds& bounds = tree[children.branches[k]].bounds;
+        given[k] = {bounds.low, bounds.high};
+    }
+    const SlotOrder order = slotOrder(std::span(given).first(children.count));
+    parts.node.slotAxes = order.axes;
+    std::array<Box, width> boxes;
+    for (size_t slot = 0; slot < width; ++slot) {
+        const size_t k = order.childOf[slot];
+        if (k == SlotOrder::none) continue;
+        boxes[slot] = given[k];
         const Branch& child = tree[children.branches[k]];
-        boxes[k] = {child.bounds.low, child.bounds.high};
         if (isLeaf(child)) {
-            parts.addLeaf(k, child.right);
+            parts.addLeaf(slot, child.right);
         } else {
-            parts.addInner(k, children.branches[k]);
+            parts.addInner(slot, children.branches[k]);
         }
     }
-    setBoxes(parts.node, std::span(boxes).first(children.count));
+    setBoxes(parts.node, boxes);
     return parts;
 }
 

@@ -51,21 +51,23 @@ struct AxisLattice {
 
 }  // namespace
 
-void setBoxes(Node& node, std::span<const Box> children) {
+void setBoxes(Node& node, const std::array<Box, width>& children) {
     Bounds bounds;
-    for (const Box& child : children) bounds.extend(child);
+    for (const Box& child : children)
+        if (!child.empty()) bounds.extend(child);
     for (size_t axis = 0; axis < 3; ++axis) {
         const AxisLattice lattice = AxisLattice::over(bounds.low[axis], bounds.high[axis]);
         node.origin[axis] = static_cast<float>(lattice.origin);
         node.exponent[axis] = static_cast<int8_t>(lattice.exponent);
         node.low[axis].fill(static_cast<uint8_t>(lastPlace));
         node.high[axis].fill(0);
-        for (size_t k = 0; k < children.size(); ++k) {
+        for (size_t k = 0; k < width; ++k) {
+            if (children[k].empty()) continue;
             node.low[axis][k] = lattice.below(children[k].low[axis]);
             node.high[axis][k] = lattice.above(children[k].high[axis]);
         }
     }
-    for (size_t k = 0; k < children.size(); ++k) assert(contains(node.childBox(k), children[k]));
+    for (size_t k = 0; k < width; ++k) assert(children[k].empty() || contains(node.childBox(k), children[k]));
 }
 
 }  // namespace filigree::bvh

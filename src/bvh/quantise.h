@@ -7,8 +7,8 @@
 
 namespace filigree::bvh {
 
-// Sets the node's lattice and boxes; slots behind the last child become empty. 1 to 8 finite boxes, none
-// empty. Decoded, each contains the one given, which is asserted.
-void setBoxes(Node& node, std::span<const Box> children);
+// Sets the node's lattice and boxes, by slot: 1 to 8 finite ones, and empty ones where there is no child.
+// Decoded, each contains the one given, which is asserted.
+void setBoxes(Node& node, const std::array<Box, width>& children);
 
 }  // namespace filigree::bvh

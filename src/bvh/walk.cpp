@@ -16,14 +16,6 @@
 #define FILIGREE_BVH_WALK
 namespace filigree::bvh {
 
-inline unsigned leafMaskOf(const Node& node) {
-    uint64_t kinds = 0;
-    std::memcpy(&kinds, node.meta.data(), sizeof(kinds));
-    if constexpr (std::endian::native == std::endian::little)
-        return static_cast<unsigned>(kinds * 0x0102040810204080 >> 56);
-    return node.leafMask();
-}
-
 // [mask][slot]: bits of the mask below the slot.
 struct SlotRanks {
     std::array<std::array<uint8_t, width>, 256> of{};
@@ -37,36 +29,31 @@ constexpr SlotRanks slotRanksOfMasks() {
 }
 inline constexpr SlotRanks slotRanks = slotRanksOfMasks();
 
-// Like sortTop, without a branch: which is nearer cannot be foretold.
-inline void sortTwo(Walk& walk) {
-    float* const nears = walk.nears.data() + walk.size - 2;
-    uint32_t* const places = walk.places.data() + walk.size - 2;
-    const float nearA = nears[0], nearB = nears[1];
-    const uint32_t placeA = places[0], placeB = places[1];
-    const bool swaps = nearA <= nearB;
-    nears[0] = swaps ? nearB : nearA;
-    nears[1] = swaps ? nearA : nearB;
-    places[0] = swaps ? placeB : placeA;
-    places[1] = swaps ? placeA : placeB;
+// [signs][Node::slotAxes]: the turn of a ray.
+struct Turns {
+    std::array<std::array<uint8_t, 64>, 8> of{};
+};
+constexpr Turns turnsOfSigns() {
+    Turns turns;
+    for (unsigned signs = 0; signs < 8; ++signs)
+        for (unsigned axes = 0; axes < 64; ++axes)
+            for (unsigned bit = 0; bit < 3; ++bit)
+                turns.of[signs][axes] |= static_cast<uint8_t>((signs >> (axes >> 2 * bit & 3) & 1) << bit);
+    return turns;
 }
+inline constexpr Turns turns = turnsOfSigns();
 
-// The last `count` entries of the stack, which stand in slot order: the nearest comes last, of equal ones the
-// first slot.
-inline void sortTop(Walk& walk, uint32_t count) {
-    float* const nears = walk.nears.data() + walk.size - count;
-    uint32_t* const places = walk.places.data() + walk.size - count;
-    for (uint32_t k = 1; k < count; ++k) {
-        const float near = nears[k];
-        const uint32_t place = places[k];
-        uint32_t at = k;
-        for (; at > 0 && nears[at - 1] <= near; --at) {
-            nears[at] = nears[at - 1];
-            places[at] = places[at - 1];
-        }
-        nears[at] = near;
-        places[at] = place;
-    }
+// [turn]: the slots, the one that comes first at the end.
+struct SlotLists {
+    alignas(32) std::array<std::array<int32_t, width>, 8> of{};
+};
+constexpr SlotLists slotListsOfTurns() {
+    SlotLists lists;
+    for (size_t turn = 0; turn < 8; ++turn)
+        for (size_t k = 0; k < width; ++k) lists.of[turn][k] = static_cast<int32_t>((width - 1 - k) ^ turn);
+    return lists;
 }
+inline constexpr SlotLists slotLists = slotListsOfTurns();
 
 }  // namespace filigree::bvh
 #endif
@@ -141,9 +128,14 @@ class PlaneTimes {
 };
 #endif
 
-// Pushes the children [first, first + lanes) that the segment meets, in slot order.
-HWY_INLINE void pushChildren(const Node& node, Walk& walk, const PlaneTimes& times, size_t first,
-                             unsigned leafMask) {
+// Children [first, first + lanes): where the segment enters and leaves them, and what they are.
+struct MetChildren {
+    PlaneVector entry, exit;
+    hn::VFromD<hn::RebindToUnsigned<Planes>> places;
+};
+
+HWY_INLINE MetChildren meetChildren(const Node& node, const Walk& walk, const PlaneTimes& times,
+                                    size_t first) {
     const Planes d;
     const hn::RebindToSigned<Planes> di;
     const hn::RebindToUnsigned<Planes> du;
@@ -154,46 +146,65 @@ HWY_INLINE void pushChildren(const Node& node, Walk& walk, const PlaneTimes& tim
     };
     const auto& nearAt = walk.nearPlanes;
     const auto& farAt = walk.farPlanes;
-    const auto entry = hn::Max(
+    MetChildren met;
+    met.entry = hn::Max(
         hn::Max(times.template near<0>(planes(nearAt[0])), hn::Set(d, walk.tMin)),
         hn::Max(times.template near<1>(planes(nearAt[1])), times.template near<2>(planes(nearAt[2]))));
-    const auto exit =
+    met.exit =
         hn::Min(hn::Min(times.template far<0>(planes(farAt[0])), hn::Set(d, walk.tMax)),
                 hn::Min(times.template far<1>(planes(farAt[1])), times.template far<2>(planes(farAt[2]))));
     const auto ranks = [&](unsigned mask) HWY_ATTR {
         return hn::PromoteTo(du, hn::LoadU(bytes, slotRanks.of[mask].data() + first));
     };
-    const auto leaves = hn::Add(hn::Set(du, node.firstLeaf | Walk::leafBit), ranks(leafMask));
+    const auto leaves = hn::Add(hn::Set(du, node.firstLeaf | Walk::leafBit), ranks(node.leafMask));
     const auto inners = hn::Add(hn::Set(du, node.firstChild), ranks(node.innerMask));
-    const auto isLeaf = hn::Ne(hn::PromoteTo(du, hn::LoadU(bytes, node.meta.data() + first)), hn::Zero(du));
-    const auto places = hn::IfThenElse(isLeaf, leaves, inners);
+    std::array<uint8_t, 8> leafBits{static_cast<uint8_t>(node.leafMask >> first)};
+    met.places = hn::IfThenElse(hn::LoadMaskBits(du, leafBits.data()), leaves, inners);
     // Empty slots have low planes above the high ones, but slack might still let them pass.
-    std::array<uint8_t, 8> bits{static_cast<uint8_t>((leafMask | node.innerMask) >> first)};
-    const auto met = hn::And(hn::Le(entry, exit), hn::LoadMaskBits(d, bits.data()));
-    hn::StoreU(hn::Compress(entry, met), d, walk.nears.data() + walk.size);
-    hn::StoreU(hn::Compress(places, hn::RebindMask(du, met)), du, walk.places.data() + walk.size);
-    walk.size += static_cast<uint32_t>(hn::CountTrue(d, met));
+    std::array<uint8_t, 8> bits{static_cast<uint8_t>((node.leafMask | node.innerMask) >> first)};
+    met.entry = hn::IfThenElse(hn::LoadMaskBits(d, bits.data()), met.entry, hn::Inf(d));
+    return met;
 }
 
-template <bool sorts>
+// Pushes the children that the segment meets, those that come first at the end, or in slot order.
+template <bool turning>
 HWY_INLINE void visitNode(const Node& node, Walk& walk) {
+    const Planes d;
+    const hn::RebindToUnsigned<Planes> du;
     const PlaneTimes times(node, walk);
-    const unsigned leafMask = leafMaskOf(node);
-    const uint32_t before = walk.size;
-    for (size_t first = 0; first < width; first += hn::Lanes(Planes())) {
-        pushChildren(node, walk, times, first, leafMask);
+    const auto& slots = turning ? slotLists.of[turns.of[walk.signs][node.slotAxes]] : slotLists.of[width - 1];
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET <= HWY_AVX3
+    MetChildren met = meetChildren(node, walk, times, 0);
+    if constexpr (turning) {
+        const auto order = hn::SetTableIndices(d, slots.data());
+        met.entry = hn::TableLookupLanes(met.entry, order);
+        met.exit = hn::TableLookupLanes(met.exit, order);
+        met.places = hn::TableLookupLanes(met.places, hn::SetTableIndices(du, slots.data()));
     }
-    if constexpr (!sorts) return;
-    const uint32_t count = walk.size - before;
-    if (count == 2) {
-        sortTwo(walk);
-    } else if (count > 2) {
-        sortTop(walk, count);
+    const auto isMet = hn::Le(met.entry, met.exit);
+    hn::StoreU(hn::Compress(met.entry, isMet), d, walk.nears.data() + walk.size);
+    hn::StoreU(hn::Compress(met.places, hn::RebindMask(du, isMet)), du, walk.places.data() + walk.size);
+    walk.size += static_cast<uint32_t>(hn::CountTrue(d, isMet));
+#else
+    std::array<float, width> entry, exit;
+    std::array<uint32_t, width> places;
+    for (size_t first = 0; first < width; first += hn::Lanes(d)) {
+        const MetChildren met = meetChildren(node, walk, times, first);
+        hn::StoreU(met.entry, d, entry.data() + first);
+        hn::StoreU(met.exit, d, exit.data() + first);
+        hn::StoreU(met.places, du, places.data() + first);
     }
+    for (const int32_t slot : slots) {
+        const auto k = static_cast<size_t>(slot);
+        if (!(entry[k] <= exit[k])) continue;
+        walk.nears[walk.size] = entry[k];
+        walk.places[walk.size++] = places[k];
+    }
+#endif
 }
 
 // One node on; true where that was the last before a leaf or the end.
-template <bool sorts>
+template <bool turning>
 HWY_INLINE bool stepOn(const Node* nodes, Walk& walk) {
     for (;;) {
         if (walk.size == 0) {
@@ -207,22 +218,22 @@ HWY_INLINE bool stepOn(const Node* nodes, Walk& walk) {
             walk.leaf = place & ~Walk::leafBit;
             return true;
         }
-        visitNode<sorts>(nodes[place], walk);
+        visitNode<turning>(nodes[place], walk);
         return false;
     }
 }
 
-template <bool sorts>
+template <bool turning>
 void nextLeaf(const Node* nodes, Walk& walk) {
-    while (!stepOn<sorts>(nodes, walk)) {
+    while (!stepOn<turning>(nodes, walk)) {
     }
 }
 
-template <bool sorts>
+template <bool turning>
 size_t nextLeaves(const Node* nodes, Walk** walks, size_t count, size_t enough) {
     while (count > enough) {
         for (size_t k = 0; k < count;) {
-            if (stepOn<sorts>(nodes, *walks[k])) {
+            if (stepOn<turning>(nodes, *walks[k])) {
                 std::swap(walks[k], walks[--count]);
             } else {
                 ++k;
@@ -258,6 +269,7 @@ void Walk::start(const Segment& segment, const Vec3& largest) {
     // Directions that hardly leave a plane: finite all the same, and with the slack never out of a slab that
     // the origin is in.
     constexpr float steepest = 0x1p60F;
+    signs = 0;
     const auto planeOf = [](bool low, size_t axis) {
         return static_cast<uint32_t>((low ? offsetof(Node, low) : offsetof(Node, high)) + width * axis);
     };
@@ -270,6 +282,7 @@ void Walk::start(const Segment& segment, const Vec3& largest) {
         nearOrigin[axis] = segment.origin[axis] + slack;
         farOrigin[axis] = segment.origin[axis] - slack;
         const bool isForward = reciprocal[axis] > 0;
+        signs |= isForward ? 0U : 1U << axis;
         nearPlanes[axis] = planeOf(isForward, axis);
         farPlanes[axis] = planeOf(!isForward, axis);
     }

@@ -120,7 +120,7 @@ class BoxCheck {
         uint32_t leaf = node.firstLeaf;
         for (size_t k = 0; k < bvh::width; ++k) {
             const bool isInner = (node.innerMask >> k & 1) != 0;
-            if (!isInner && node.meta[k] == 0) continue;
+            if (!node.hasChild(k)) continue;
             const Box& box = isInner ? inside_[inner++] : leaves_[leaf++];
             if (!contains(node.childBox(k), box))
                 return brokenGrids("node {}: child {} reaches out of its box", n, k);

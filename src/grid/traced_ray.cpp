@@ -10,7 +10,7 @@ namespace {
 Box rootBox(const bvh::Node& root) {
     Box box;
     for (size_t k = 0; k < bvh::width; ++k) {
-        if (((root.innerMask | root.leafMask()) >> k & 1) != 0) box.extend(root.childBox(k));
+        if (root.hasChild(k)) box.extend(root.childBox(k));
     }
     return box;
 }

@@ -41,7 +41,7 @@ struct Tracer::Data {
         : grids(encoded),
           scene(encoded),
           kernels(rayKernels()),
-          nearest(bvh::walkFunctions(bvh::WalkOrder::nearest)),
+          near(bvh::walkFunctions(bvh::WalkOrder::near)),
           first(bvh::walkFunctions(bvh::WalkOrder::any)) {
         source = {&encoded, &unitVectors(), &cache};
         testLeaf = encoded.codec == Codec::paper ? kernels.subGrid : kernels.tile;
@@ -50,7 +50,7 @@ struct Tracer::Data {
     const EncodedGrids& grids;
     TracedScene scene;
     RayKernels kernels;
-    bvh::WalkFunctions nearest;
+    bvh::WalkFunctions near;
     bvh::WalkFunctions first;
     RayKernels::TestLeaf testLeaf;
     BlockCache cache;
@@ -62,7 +62,7 @@ struct Tracer::Data {
     void trace(const Ray& ray, bool any) {
         if (!oneRay.start(scene, ray)) return;
         oneWalk.start(oneRay.segment(), scene.largest);
-        const bvh::WalkFunctions& walks = any ? first : nearest;
+        const bvh::WalkFunctions& walks = any ? first : near;
         do {
             walks.nextLeaf(grids.nodes.data(), oneWalk);
         } while (!testLeafOf(oneWalk, oneRay, any));
@@ -98,7 +98,7 @@ void Tracer::Data::prefetch(uint32_t leaf) const {
 template <class Done>
 void Tracer::Data::traceAll(std::span<const Ray> rays, bool any, const Done& done) {
     RayTurns& turns = *batch;
-    const bvh::WalkFunctions& walks = any ? first : nearest;
+    const bvh::WalkFunctions& walks = any ? first : near;
     size_t next = 0;
     // Puts the next ray that may hit something into a place; false when there is none left.
     const auto begin = [&](size_t number) {

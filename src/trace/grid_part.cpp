@@ -9,8 +9,7 @@ Box boundsOf(const GridPart& part) {
     if (part.grids == nullptr || part.grids->nodes.empty()) return box;
     const bvh::Node& root = part.grids->nodes.front();
     for (size_t k = 0; k < bvh::width; ++k) {
-        const bool inner = (root.innerMask >> k & 1) != 0;
-        if (inner || root.meta[k] != 0) box.extend(root.childBox(k));
+        if (root.hasChild(k)) box.extend(root.childBox(k));
     }
     if (part.grids->codec == grid::Codec::paper) return box;
     const grid::Lattice& lattice = part.grids->lattice;

@@ -28,7 +28,7 @@ void expectContains(const Bvh& bvh, std::span<const Box> boxes) {
         for (size_t k = 0; k < width; ++k) {
             Box inner;
             if ((node.innerMask >> k & 1) != 0) inner = exact[child++];
-            if (node.meta[k] == 1) inner = boxes[bvh.order[leaf++]];
+            if ((node.leafMask >> k & 1) != 0) inner = boxes[bvh.order[leaf++]];
             if (inner.empty()) continue;
             ASSERT_TRUE(contains(node.childBox(k), inner)) << "node " << at << " child " << k;
             exact[at].extend(inner);
@@ -52,7 +52,7 @@ void expectGood(std::span<const Box> boxes) {
 double slotsFilled(const Bvh& bvh) {
     size_t filled = 0;
     for (const Node& node : bvh.nodes) {
-        filled += static_cast<size_t>(std::popcount(node.innerMask | node.leafMask()));
+        filled += static_cast<size_t>(std::popcount(static_cast<unsigned>(node.innerMask | node.leafMask)));
     }
     return static_cast<double>(filled) / static_cast<double>(width * bvh.nodes.size());
 }

@@ -72,10 +72,18 @@ TEST_F(BvhCheck, WantsLeavesThatExist) {
 }
 
 TEST_F(BvhCheck, WantsKindsThatExist) {
-    parent().meta[0] = 2;
-    expectBad("node 0: child 0 is of kind 2");
-    parent().meta[0] = 1;
+    parent().leafMask = 1;
     expectBad("both a node and a leaf");
+}
+
+TEST_F(BvhCheck, WantsSlotsOnThreeAxes) {
+    parent().slotAxes = 3 << 2;
+    expectBad("node 0: slots along axis 3");
+    parent().slotAxes = 64;
+    expectBad("bits behind the axes");
+    parent().slotAxes = 0;
+    parent().zeros[5] = 1;
+    expectBad("bits behind the axes");
 }
 
 TEST_F(BvhCheck, WantsALatticeThatFloatsHold) {

@@ -31,8 +31,7 @@ bool meets(const Box& box, const Segment& segment) {
     return entry <= exit;
 }
 
-std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment,
-                                WalkOrder order = WalkOrder::nearest) {
+std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment, WalkOrder order = WalkOrder::near) {
     Walk walk;
     walk.start(segment, largestCoordinates(bvh.nodes[0]));
     std::vector<uint32_t> leaves;
@@ -40,6 +39,22 @@ std::vector<uint32_t> leavesMet(const Bvh& bvh, const Segment& segment,
         walkFunctions(order).nextLeaf(bvh.nodes.data(), walk);
         if (walk.leaf == noLeaf) return leaves;
         leaves.push_back(bvh.order[walk.leaf]);
+    }
+}
+
+TEST(BvhWalk, TakesTilesOfATerrainFromNearToFar) {
+    std::vector<Box> boxes;
+    for (int z = 0; z < 32; ++z)
+        for (int x = 0; x < 32; ++x)
+            boxes.push_back({{static_cast<float>(x), 0, static_cast<float>(z)},
+                             {static_cast<float>(x) + 1, 1, static_cast<float>(z) + 1}});
+    const Bvh bvh = build(boxes, serialExecutor());
+    for (const float sign : {1.0F, -1.0F}) {
+        const Vec3 from{16 - 17 * sign, 0.5F, 16.5F - 17 * sign};
+        const auto leaves = leavesMet(bvh, {from, {sign, 0, sign}, 0, infinity});
+        ASSERT_GE(leaves.size(), 32U);
+        const auto along = [&](uint32_t leaf) { return sign * static_cast<float>(leaf % 32 + leaf / 32); };
+        EXPECT_TRUE(std::ranges::is_sorted(leaves, {}, along));
     }
 }
 
@@ -120,10 +135,10 @@ TEST(BvhWalk, StopsWhereTheSegmentIsCutShort) {
     const Bvh bvh = build(boxes, serialExecutor());
     Walk walk;
     walk.start({{-1, 0.2F, 30.5F}, {1, 0, 0}, 0, infinity}, largestCoordinates(bvh.nodes[0]));
-    walkFunctions(WalkOrder::nearest).nextLeaf(bvh.nodes.data(), walk);
+    walkFunctions(WalkOrder::near).nextLeaf(bvh.nodes.data(), walk);
     ASSERT_NE(walk.leaf, noLeaf);
     walk.tMax = -1;
-    walkFunctions(WalkOrder::nearest).nextLeaf(bvh.nodes.data(), walk);
+    walkFunctions(WalkOrder::near).nextLeaf(bvh.nodes.data(), walk);
     EXPECT_EQ(walk.leaf, noLeaf);
 }
 
@@ -141,8 +156,8 @@ TEST(BvhWalk, TakesTheSameWayByTurns) {
     size_t walking = order.size();
     while (walking > 0) {
         const size_t before = walking;
-        walking = walkFunctions(WalkOrder::nearest)
-                      .nextLeaves(bvh.nodes.data(), order.data(), walking, walking / 2);
+        walking =
+            walkFunctions(WalkOrder::near).nextLeaves(bvh.nodes.data(), order.data(), walking, walking / 2);
         for (size_t k = walking; k < before; ++k) {
             if (order[k]->leaf == noLeaf) continue;
             ways[static_cast<size_t>(order[k] - walks.data())].push_back(bvh.order[order[k]->leaf]);

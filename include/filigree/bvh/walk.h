@@ -1,4 +1,4 @@
-// The way of one ray through a hierarchy, nearest leaves first.
+// The way of one ray through a hierarchy, near leaves first.
 #pragma once
 
 #include "filigree/bvh/build.h"
@@ -49,7 +49,8 @@ class FILIGREE_API Walk {
     std::array<uint32_t, 3> nearPlanes{};           // where in a node the near planes' bytes are
     std::array<uint32_t, 3> farPlanes{};
     float tMin = 0;
-    uint32_t size = 0;  // of the stack
+    uint32_t signs = 0;  // bit k: the direction is negative on axis k
+    uint32_t size = 0;   // of the stack
     std::array<float, stackSize> nears;
     std::array<uint32_t, stackSize> places;  // a node, or leafBit and a leaf
 };
@@ -66,9 +67,9 @@ struct WalkFunctions {
     size_t (*nextLeaves)(const Node* nodes, Walk** walks, size_t count, size_t enough) = nullptr;
 };
 enum class WalkOrder : uint8_t {
-    nearest,  // first, by boxes
-    any,      // cheaper; for rays that end at their first hit
+    near,  // near children first
+    any,   // cheaper; for rays that end at their first hit
 };
-FILIGREE_API WalkFunctions walkFunctions(WalkOrder order);
+WalkFunctions walkFunctions(WalkOrder order);
 
 }  // namespace filigree::bvh
