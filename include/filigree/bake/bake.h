@@ -20,10 +20,10 @@ struct Settings {
     micromap::Format format = micromap::Format::fourState;
     // The level of every micromap, 0..12. Without it each triangle gets its highest useful level (Waldemarson
     // and Doggett 2024, eq. 1): ceil(log2(longest edge in texels)), at most maxLevel.
-    std::optional<unsigned> level;
+    std::optional<unsigned> level{};
     unsigned maxLevel = 8;  // 0..12, used without `level`
     // Levels per triangle, [triangle_count], 0..12; overrides `level` where not empty.
-    std::span<const uint8_t> levels;
+    std::span<const uint8_t> levels{};
     // Lets a triangle's vertex order rotate (winding kept) where it then shares a micromap; see
     // Baked::rotations.
     bool rotate = false;
