@@ -1,11 +1,9 @@
 // Looks up states of opacity micromaps with filigree_lookup.h alone: no library behind it.
 //
 //     lookup                         a leaf that this program carries
-//     lookup scene.fil [TRIANGLE]    a file of `filigree compress`; triangles count through all its
-//     primitives
+//     lookup scene.fil [TRIANGLE]    a file of `filigree compress`; triangles of all its primitives count
 //
-// Draws the triangle: '#' opaque, '.' transparent, '+' and '-' ask the alpha test (mostly opaque, mostly
-// not).
+// Draws the triangle: '#' opaque, '.' transparent, '+' and '-' ask the alpha test (mostly opaque, or not).
 #include "filigree_lookup.h"
 
 #include <stdio.h>
