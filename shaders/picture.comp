@@ -5,6 +5,9 @@
 #extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_ray_query : require
+#ifdef MICROMAPS
+#extension GL_EXT_opacity_micromap : require
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

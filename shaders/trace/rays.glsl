@@ -62,7 +62,17 @@ bool twoStatesFor(uint kind) {
     return (flags & flagTwoStates) != 0u || (asksForAnyHit(kind) && (flags & flagTwoStateShadows) != 0u);
 }
 
+// Those of the device's own micromaps.
+uint micromapFlagsOf(Ray ray) {
+#ifdef MICROMAPS
+    return twoStatesFor(ray.kind) ? gl_RayFlagsForceOpacityMicromap2StateEXT : gl_RayFlagsNoneEXT;
+#else
+    return gl_RayFlagsNoneEXT;
+#endif
+}
+
 uint rayFlagsOf(Ray ray) {
-    return ((flags & flagAllOpaque) != 0u ? gl_RayFlagsOpaqueEXT : gl_RayFlagsNoneEXT) |
+    return micromapFlagsOf(ray) |
+           ((flags & flagAllOpaque) != 0u ? gl_RayFlagsOpaqueEXT : gl_RayFlagsNoneEXT) |
            (asksForAnyHit(ray.kind) ? gl_RayFlagsTerminateOnFirstHitEXT : gl_RayFlagsNoneEXT);
 }

@@ -97,6 +97,9 @@ Painter::Painter(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
+uint64_t Painter::opacityBytes() const {
+    return 0;
+}
 
 Result<Picture> Painter::render(const PictureSettings&, ProgressSink&) {
     return notBuilt();

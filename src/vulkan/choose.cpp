@@ -1,4 +1,5 @@
 #include "filigree/vulkan/device.h"
+#include "filigree/vulkan/picture.h"
 
 #include <algorithm>
 #include <cctype>
@@ -53,6 +54,17 @@ Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_vi
 
 std::string_view nameOf(RayPath path) {
     return path == RayPath::query ? "query" : "pipeline";
+}
+
+std::string_view nameOf(StructureBuild build) {
+    return build == StructureBuild::fastTrace ? "fast-trace" : "fast-build";
+}
+
+std::optional<StructureBuild> structureBuildNamed(std::string_view name) {
+    for (const StructureBuild build : {StructureBuild::fastTrace, StructureBuild::fastBuild}) {
+        if (name == nameOf(build)) return build;
+    }
+    return std::nullopt;
 }
 
 Result<RayPath> chooseRayPath(const DeviceFacts& facts, std::string_view wanted) {

@@ -1,5 +1,8 @@
 #include "vulkan/commands.h"
 
+#include <array>
+#include <chrono>
+
 namespace filigree::vulkan {
 namespace {
 
@@ -30,7 +33,49 @@ Status waitFor(Device::Data& device, VkCommandBuffer commands, std::string_view 
     return checked(vkWaitForFences(device.device.get(), 1, &handle, VK_TRUE, UINT64_MAX), action);
 }
 
+Result<OwnedQueryPool> makeTimestamps(Device::Data& device) {
+    VkQueryPoolCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    info.queryCount = 2;
+    VkQueryPool made = VK_NULL_HANDLE;
+    auto status = checked(vkCreateQueryPool(device.device.get(), &info, nullptr, &made), "make timestamps");
+    if (!status) return status.error();
+    return OwnedQueryPool(device.device.get(), made);
+}
+
+// Of timestamps that have been written.
+Result<double> secondsBetween(const Device::Data& device, VkQueryPool pool) {
+    std::array<uint64_t, 2> ticks{};
+    const VkResult read =
+        vkGetQueryPoolResults(device.device.get(), pool, 0, 2, sizeof ticks, ticks.data(), sizeof ticks[0],
+                              VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
+    if (auto status = checked(read, "read timestamps"); !status) return status.error();
+    const uint64_t mask = ~uint64_t{0} >> (64 - device.timestampBits);
+    return static_cast<double>((ticks[1] - ticks[0]) & mask) * 1e-9 *
+           static_cast<double>(device.limits.timestampPeriod);
+}
+
 }  // namespace
+
+Result<double> submitTimed(Device::Data& device, std::string_view action,
+                           const std::function<void(VkCommandBuffer)>& record) {
+    if (device.timestampBits == 0) {
+        const auto start = std::chrono::steady_clock::now();
+        if (auto done = submit(device, action, record); !done) return done.error();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    const auto pool = makeTimestamps(device);
+    if (!pool) return pool.error();
+    auto done = submit(device, action, [&](VkCommandBuffer commands) {
+        vkCmdResetQueryPool(commands, pool->get(), 0, 2);
+        vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, pool->get(), 0);
+        record(commands);
+        vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, pool->get(), 1);
+    });
+    if (!done) return done.error();
+    return secondsBetween(device, pool->get());
+}
 
 Status submit(Device::Data& device, std::string_view action,
               const std::function<void(VkCommandBuffer)>& record) {

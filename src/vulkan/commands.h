@@ -13,6 +13,10 @@ namespace filigree::vulkan {
 Status submit(Device::Data& device, std::string_view action,
               const std::function<void(VkCommandBuffer)>& record);
 
+// The same, and how many seconds the commands took: by the device's clock, or where it has none by the CPU's.
+Result<double> submitTimed(Device::Data& device, std::string_view action,
+                           const std::function<void(VkCommandBuffer)>& record);
+
 // Commands behind this see what those before it wrote.
 void barrier(VkCommandBuffer commands);
 

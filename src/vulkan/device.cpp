@@ -20,10 +20,13 @@ struct WantedFeatures {
     VkPhysicalDeviceRayTracingPipelineFeaturesKHR pipeline{};
     VkPhysicalDeviceAccelerationStructureFeaturesKHR structures{};
     VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
+    VkPhysicalDeviceOpacityMicromapFeaturesEXT micromapsExt{};
+    MicromapFeaturesKhr micromapsKhr;
+    AddressCommandsFeatures addressCommands;
     std::vector<const char*> extensions;
     void* chain = nullptr;
 
-    explicit WantedFeatures(const DeviceFacts& facts) {
+    WantedFeatures(const DeviceFacts& facts, MicromapApi micromaps) {
         if (!facts.tracesRays()) return;
         addresses.bufferDeviceAddress = VK_TRUE;
         add(addresses, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES);
@@ -41,11 +44,27 @@ struct WantedFeatures {
             add(pipeline, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_FEATURES_KHR);
             extensions.push_back(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
         }
+        addMicromaps(micromaps);
     }
     WantedFeatures(const WantedFeatures&) = delete;
     WantedFeatures& operator=(const WantedFeatures&) = delete;
 
   private:
+    void addMicromaps(MicromapApi api) {
+        if (api == MicromapApi::ext) {
+            micromapsExt.micromap = VK_TRUE;
+            add(micromapsExt, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_OPACITY_MICROMAP_FEATURES_EXT);
+            extensions.insert(extensions.end(), {micromapExtensionExt, synchronization2Extension});
+        } else if (api == MicromapApi::khr) {
+            micromapsKhr.micromap = VK_TRUE;
+            add(micromapsKhr, micromapFeaturesKhr);
+            addressCommands.deviceAddressCommands = VK_TRUE;
+            add(addressCommands, addressCommandsFeatures);
+            extensions.insert(extensions.end(),
+                              {micromapExtensionKhr, addressCommandsExtension, synchronization2Extension});
+        }
+    }
+
     template <class Features>
     void add(Features& features, VkStructureType type) {
         features.sType = type;
@@ -91,14 +110,33 @@ void loadRayPipelineFunctions(Device::Data& data) {
     data.rayPipelines.baseAlignment = pipelines.shaderGroupBaseAlignment;
 }
 
-Status openQueue(Device::Data& data, uint32_t family) {
+void loadMicromapFunctions(Device::Data& data) {
+    MicromapFunctions& micromaps = data.micromaps;
+    if (micromaps.api == MicromapApi::khr) {
+        load(data, micromaps.createStructure, "vkCreateAccelerationStructure2KHR");
+        MicromapPropertiesKhr khr;
+        readProperties(data, khr);
+        micromaps.limits = {khr.maxOpacity2StateSubdivisionLevel, khr.maxOpacity4StateSubdivisionLevel};
+        return;
+    }
+    load(data, micromaps.create, "vkCreateMicromapEXT");
+    load(data, micromaps.destroy, "vkDestroyMicromapEXT");
+    load(data, micromaps.sizes, "vkGetMicromapBuildSizesEXT");
+    load(data, micromaps.build, "vkCmdBuildMicromapsEXT");
+    VkPhysicalDeviceOpacityMicromapPropertiesEXT ext{};
+    ext.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_OPACITY_MICROMAP_PROPERTIES_EXT;
+    readProperties(data, ext);
+    micromaps.limits = {ext.maxOpacity2StateSubdivisionLevel, ext.maxOpacity4StateSubdivisionLevel};
+}
+
+Status openQueue(Device::Data& data, QueueFamily family) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{};
     queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queue.queueFamilyIndex = family;
+    queue.queueFamilyIndex = family.number;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    const WantedFeatures features(data.facts);
+    const WantedFeatures features(data.facts, data.micromaps.api);
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = features.chain;
@@ -112,11 +150,13 @@ Status openQueue(Device::Data& data, uint32_t family) {
     data.device.reset(device);
     if (data.facts.tracesRays()) loadRayFunctions(data);
     if (data.facts.rayPipeline) loadRayPipelineFunctions(data);
-    vkGetDeviceQueue(device, family, 0, &data.queue);
+    if (data.facts.micromaps) loadMicromapFunctions(data);
+    vkGetDeviceQueue(device, family.number, 0, &data.queue);
+    data.timestampBits = family.timestampBits;
     VkCommandPoolCreateInfo pool{};
     pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
     pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-    pool.queueFamilyIndex = family;
+    pool.queueFamilyIndex = family.number;
     VkCommandPool commands = VK_NULL_HANDLE;
     status = checked(vkCreateCommandPool(device, &pool, nullptr, &commands), "make a command pool");
     if (!status) return status;
@@ -148,11 +188,12 @@ Result<Device> Device::open(const DeviceOptions& options) {
     auto data = std::make_unique<Data>(std::move(*instance));
     data->facts = (*found)[*chosen].facts;
     data->physical = (*found)[*chosen].handle;
+    data->micromaps.api = (*found)[*chosen].micromaps;
     VkPhysicalDeviceProperties properties;
     vkGetPhysicalDeviceProperties(data->physical, &properties);
     data->limits = properties.limits;
     vkGetPhysicalDeviceMemoryProperties(data->physical, &data->memory);
-    if (auto opened = openQueue(*data, computeFamily(data->physical).value_or(0)); !opened)
+    if (auto opened = openQueue(*data, computeFamily(data->physical).value_or(QueueFamily{})); !opened)
         return opened.error();
     return Device(std::move(data));
 }

@@ -4,6 +4,7 @@
 #include "filigree/vulkan/device.h"
 
 #include "vulkan/instance.h"
+#include "vulkan/micromap_api.h"
 #include "vulkan/owned.h"
 
 #include <cstdint>
@@ -29,6 +30,17 @@ struct RayPipelineFunctions {
     uint32_t baseAlignment = 1;    // of a table
 };
 
+// Functions and limits of VK_EXT_opacity_micromap or VK_KHR_opacity_micromap.
+struct MicromapFunctions {
+    MicromapApi api = MicromapApi::none;
+    MicromapLimits limits;
+    PFN_vkCreateMicromapEXT create = nullptr;  // and those below: of EXT
+    PFN_vkDestroyMicromapEXT destroy = nullptr;
+    PFN_vkGetMicromapBuildSizesEXT sizes = nullptr;
+    PFN_vkCmdBuildMicromapsEXT build = nullptr;
+    CreateStructure2Function createStructure = nullptr;  // of KHR
+};
+
 struct Device::Data {
     explicit Data(Instance from) : instance(std::move(from)) {}
 
@@ -40,8 +52,10 @@ struct Device::Data {
     OwnedDevice device;
     RayFunctions rays;                  // where facts.tracesRays()
     RayPipelineFunctions rayPipelines;  // where facts.rayPipeline
+    MicromapFunctions micromaps;        // where facts.micromaps
     uint64_t scratchAlignment = 1;      // of memory that structures are built in
     VkQueue queue = VK_NULL_HANDLE;
+    uint32_t timestampBits = 0;  // 0: the queue has no clock
     OwnedCommandPool commands;
     uint64_t allocated = 0;  // bytes in use
 };

@@ -8,7 +8,7 @@ Result<Kernel> Kernel::make(Device::Data& device, Shader shader, const BindingSh
                             std::span<const uint32_t> constants) {
     auto bindings = Bindings::make(device, shape, VK_SHADER_STAGE_COMPUTE_BIT);
     if (!bindings) return bindings.error();
-    auto stage = Stage::make(device, codeOf(shader), VK_SHADER_STAGE_COMPUTE_BIT, constants);
+    auto stage = Stage::make(device, shader, VK_SHADER_STAGE_COMPUTE_BIT, constants);
     if (!stage) return stage.error();
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;

@@ -18,7 +18,9 @@ Error wrongSurface(size_t surface, std::string_view what) {
     return {ErrorKind::format, fmt::format("surface {}: {}", surface, what)};
 }
 
-Status checkIndices(const RayScene& scene, const Method& method, uint64_t mapCount) {
+}  // namespace
+
+Status checkSurfaces(const RayScene& scene, const Method& method, uint64_t mapCount) {
     for (size_t k = 0; k < method.surfaces.size(); ++k) {
         const SurfaceMaps& maps = method.surfaces[k];
         if (maps.texture && *maps.texture >= mapCount)
@@ -34,6 +36,8 @@ Status checkIndices(const RayScene& scene, const Method& method, uint64_t mapCou
     }
     return {};
 }
+
+namespace {
 
 uint32_t entryOf(const Method& method, const SurfaceMaps& maps, size_t triangle) {
     const auto index = static_cast<uint32_t>(maps.indices[triangle]);
@@ -89,12 +93,15 @@ Result<OpacityMaps> OpacityMaps::make(Device::Data& device, const RayScene& scen
     OpacityMaps made;
     const auto blocks = describe(method, made);
     if (!blocks) return blocks.error();
-    if (auto good = checkIndices(scene, method, blocks->mapCount); !good) return good.error();
+    if (auto good = checkSurfaces(scene, method, blocks->mapCount); !good) return good.error();
     auto descriptors = uploaded(device, blocks->descriptors, "descriptors");
     if (!descriptors) return descriptors.error();
     auto payload = uploaded(device, blocks->payload, "the payload");
     if (!payload) return payload.error();
-    auto surfaces = uploadedOf(device, surfaceWords(scene, method), "the triangles' maps");
+    const auto words = surfaceWords(scene, method);
+    made.bytes = blocks->descriptors.size() + blocks->payload.size();
+    if (made.decoder != Decoder::none) made.bytes += 4 * words.size();
+    auto surfaces = uploadedOf(device, words, "the triangles' maps");
     if (!surfaces) return surfaces.error();
     made.descriptors = std::move(*descriptors);
     made.payload = std::move(*payload);

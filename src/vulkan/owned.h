@@ -41,6 +41,7 @@ class Owned {
 using OwnedBuffer = Owned<VkBuffer, vkDestroyBuffer>;
 using OwnedMemory = Owned<VkDeviceMemory, vkFreeMemory>;
 using OwnedFence = Owned<VkFence, vkDestroyFence>;
+using OwnedQueryPool = Owned<VkQueryPool, vkDestroyQueryPool>;
 using OwnedCommandPool = Owned<VkCommandPool, vkDestroyCommandPool>;
 using OwnedShader = Owned<VkShaderModule, vkDestroyShaderModule>;
 using OwnedPipeline = Owned<VkPipeline, vkDestroyPipeline>;

@@ -32,6 +32,14 @@ DeviceKind kindOf(VkPhysicalDeviceType type) {
     }
 }
 
+template <class Features>
+void readFeatures(VkPhysicalDevice device, Features& extension) {
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &extension;
+    vkGetPhysicalDeviceFeatures2(device, &features);
+}
+
 struct RayFeatures {
     bool structures = false;
     bool query = false;
@@ -51,15 +59,32 @@ RayFeatures rayFeaturesOf(VkPhysicalDevice device) {
     VkPhysicalDeviceBufferDeviceAddressFeatures addresses{};
     addresses.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BUFFER_DEVICE_ADDRESS_FEATURES;
     addresses.pNext = &structures;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &addresses;
-    vkGetPhysicalDeviceFeatures2(device, &features);
+    readFeatures(device, addresses);
     const bool built = structures.accelerationStructure != 0 && addresses.bufferDeviceAddress != 0;
     return {built, built && query.rayQuery != 0, built && pipeline.rayTracingPipeline != 0};
 }
 
-DeviceFacts factsOf(VkPhysicalDevice device) {
+// EXT where a device has both: its ray queries need no mode of shaders.
+template <class Has>
+MicromapApi micromapApiOf(VkPhysicalDevice device, const Has& has) {
+    if (!has(synchronization2Extension)) return MicromapApi::none;
+    if (has(micromapExtensionExt)) {
+        VkPhysicalDeviceOpacityMicromapFeaturesEXT ext{};
+        ext.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_OPACITY_MICROMAP_FEATURES_EXT;
+        readFeatures(device, ext);
+        if (ext.micromap != 0) return MicromapApi::ext;
+    }
+    if (has(micromapExtensionKhr) && has(addressCommandsExtension)) {
+        AddressCommandsFeatures commands;
+        MicromapFeaturesKhr khr;
+        khr.pNext = &commands;
+        readFeatures(device, khr);
+        if (khr.micromap != 0 && commands.deviceAddressCommands != 0) return MicromapApi::khr;
+    }
+    return MicromapApi::none;
+}
+
+PhysicalDevice describe(VkPhysicalDevice device) {
     VkPhysicalDeviceDriverProperties driver{};
     driver.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES;
     VkPhysicalDeviceProperties2 properties{};
@@ -76,18 +101,20 @@ DeviceFacts factsOf(VkPhysicalDevice device) {
         return std::ranges::any_of(extensions,
                                    [&](const auto& found) { return name == found.extensionName; });
     };
-    DeviceFacts facts;
+    PhysicalDevice described{device, {}, MicromapApi::none};
+    DeviceFacts& facts = described.facts;
     facts.name = properties.properties.deviceName;
     facts.driver = isNew ? fmt::format("{} {}", driver.driverName, driver.driverInfo)
                          : fmt::format("version {}", properties.properties.driverVersion);
     facts.kind = kindOf(properties.properties.deviceType);
     // Asking for features of extensions that are not there is an error.
-    if (!isNew || !has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME)) return facts;
+    if (!isNew || !has(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME)) return described;
     const RayFeatures rays = rayFeaturesOf(device);
     facts.rayQuery = rays.query && has(VK_KHR_RAY_QUERY_EXTENSION_NAME);
     facts.rayPipeline = rays.pipeline && has(VK_KHR_RAY_TRACING_PIPELINE_EXTENSION_NAME);
-    facts.micromaps = has("VK_EXT_opacity_micromap") || has("VK_KHR_opacity_micromap");
-    return facts;
+    if (facts.tracesRays()) described.micromaps = micromapApiOf(device, has);
+    facts.micromaps = described.micromaps != MicromapApi::none;
+    return described;
 }
 
 bool isUsable(VkPhysicalDevice device) {
@@ -98,13 +125,14 @@ bool isUsable(VkPhysicalDevice device) {
 
 }  // namespace
 
-std::optional<uint32_t> computeFamily(VkPhysicalDevice device) {
+std::optional<QueueFamily> computeFamily(VkPhysicalDevice device) {
     uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
     for (uint32_t k = 0; k < count; ++k) {
-        if ((families[k].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0) return k;
+        if ((families[k].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0)
+            return QueueFamily{k, families[k].timestampValidBits};
     }
     return std::nullopt;
 }
@@ -118,7 +146,7 @@ Result<std::vector<PhysicalDevice>> physicalDevices(VkInstance instance) {
     if (!status) return status.error();
     std::vector<PhysicalDevice> devices;
     for (const VkPhysicalDevice handle : handles) {
-        if (isUsable(handle)) devices.push_back({handle, factsOf(handle)});
+        if (isUsable(handle)) devices.push_back(describe(handle));
     }
     return devices;
 }

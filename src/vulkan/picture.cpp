@@ -4,12 +4,15 @@
 
 #include "vulkan/commands.h"
 #include "vulkan/decoders.h"
+#include "vulkan/hardware_maps.h"
 #include "vulkan/opacity_maps.h"
 #include "vulkan/picture_shaders.h"
 #include "vulkan/ray_scene_data.h"
 
 #include <algorithm>
 #include <cstring>
+
+#include <fmt/format.h>
 
 namespace filigree::vulkan {
 namespace {
@@ -113,10 +116,11 @@ class PictureRun {
         if (!cleared) return cleared;
         for (push_.sample = 0; push_.sample < settings_.samples; ++push_.sample) {
             if (progress_.cancelled()) return Error{ErrorKind::cancelled, "stopped while rendering"};
-            auto ran = submit(device_, "render", [&](VkCommandBuffer commands) {
+            auto ran = submitTimed(device_, "render", [&](VkCommandBuffer commands) {
                 shaders_.record(commands, &push_, settings_.width, push_.rows);
             });
-            if (!ran) return ran;
+            if (!ran) return ran.error();
+            picture_.seconds += *ran;
             progress_.advance(pixels());
         }
         return collect(*film, *counts);
@@ -164,31 +168,78 @@ class PictureRun {
 
 }  // namespace
 
+namespace {
+
+// That the device has micromaps, and that the method's fit it.
+Status checkHardware(const Device& device, const RayScene& scene, const Method& method) {
+    if (!device.facts().micromaps)
+        return Error{ErrorKind::unsupported, fmt::format("{} ({}): this device has no opacity micromaps",
+                                                         device.facts().name, device.facts().driver)};
+    if (!method.set || method.set->encoding != encoding::Encoding::flat)
+        return Error{ErrorKind::usage, "the device's micromaps are made of a flat set"};
+    if (auto good = checkSet(*method.set); !good) return good;
+    return checkSurfaces(scene, method, method.set->mapCount);
+}
+
+}  // namespace
+
 struct Painter::Data {
     Device::Data& device;
     const RayScene::Data& scene;
     uint32_t flags;
     OpacityMaps maps;
+    std::optional<HardwareMaps> hardware;
+    std::optional<RayStructures> structures;  // with `hardware`; none: the scene's own
     PictureShaders shaders;
+
+    Status buildHardware(const Method& method) {
+        auto made = HardwareMaps::make(device, method);
+        if (!made) return made.error();
+        hardware.emplace(std::move(*made));
+        StructureOptions options;
+        options.flags = structureFlagsOf(method.build);
+        if (method.states == 2)
+            options.instanceFlags = VK_GEOMETRY_INSTANCE_FORCE_OPACITY_MICROMAP_2_STATE_EXT;
+        options.maps = &*hardware;
+        auto built = RayStructures::build(device, scene.source(), options);
+        if (!built) return built.error();
+        structures.emplace(std::move(*built));
+        return {};
+    }
+
+    void bind() {
+        Bindings& bindings = shaders.bindings();
+        bindings.bind(0, maps.descriptors);
+        bindings.bind(1, maps.payload);
+        bindings.bind(4, maps.surfaces);
+        bindings.bind(5, top());
+    }
+
+    [[nodiscard]] VkAccelerationStructureKHR top() const {
+        return (structures ? *structures : scene.structures).top->get();
+    }
 };
 
 Result<Painter> Painter::make(const Device& device, const RayScene& scene, const Method& method,
                               RayPath path) {
-    auto maps = OpacityMaps::make(device.data(), scene, method);
+    if (method.hardware) {
+        if (auto good = checkHardware(device, scene, method); !good) return good.error();
+    }
+    // The device itself looks into its micromaps; shaders see none.
+    auto maps = OpacityMaps::make(device.data(), scene, method.hardware ? Method{} : method);
     if (!maps) return maps.error();
     const bool hasGrids = scene.data().grids.has_value();
     const std::array<uint32_t, 2> constants{maps->widthShift, hasGrids ? VK_TRUE : VK_FALSE};
-    auto shaders = PictureShaders::make(device.data(), path, maps->decoder, hasGrids,
+    auto shaders = PictureShaders::make(device.data(), path, {maps->decoder, hasGrids, method.hardware},
                                         {5, sizeof(PicturePush), true}, constants);
     if (!shaders) return shaders.error();
     const uint32_t flags = (method.takesAll ? allOpaque : 0) | (method.states == 2 ? twoStates : 0);
     std::unique_ptr<Data> data(
-        new Data{device.data(), scene.data(), flags, std::move(*maps), std::move(*shaders)});
-    Bindings& bindings = data->shaders.bindings();
-    bindings.bind(0, data->maps.descriptors);
-    bindings.bind(1, data->maps.payload);
-    bindings.bind(4, data->maps.surfaces);
-    bindings.bind(5, scene.data().top->get());
+        new Data{device.data(), scene.data(), flags, std::move(*maps), {}, {}, std::move(*shaders)});
+    if (method.hardware) {
+        if (auto built = data->buildHardware(method); !built) return built.error();
+    }
+    data->bind();
     return Painter(std::move(data));
 }
 
@@ -196,6 +247,10 @@ Painter::Painter(std::unique_ptr<Data> data) : data_(std::move(data)) {}
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 Painter::~Painter() = default;
+
+uint64_t Painter::opacityBytes() const {
+    return data_->hardware ? data_->hardware->bytes() : data_->maps.bytes;
+}
 
 Result<Picture> Painter::render(const PictureSettings& settings, ProgressSink& progress) {
     const PicturePush push = pushOf(data_->scene, data_->flags, settings);

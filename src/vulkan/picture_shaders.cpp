@@ -9,13 +9,15 @@ uint32_t tilesAcross(uint32_t side) {
     return (side + tileSide - 1) / tileSide;
 }
 
-RayShaders rayShaders(Decoder decoder, bool hasGrids) {
+RayShaders rayShaders(const PictureVariant& variant) {
+    const Decoder decoder = variant.decoder;
     RayShaders shaders;
-    shaders.generation = {ShaderKind::rayGeneration, decoder};
+    if (variant.hardware) shaders.flags = VK_PIPELINE_CREATE_RAY_TRACING_OPACITY_MICROMAP_BIT_EXT;
+    shaders.generation = {ShaderKind::rayGeneration, decoder, variant.hardware};
     shaders.miss = {ShaderKind::miss, decoder};
     shaders.hits.push_back(
         {Shader{ShaderKind::closestHit, decoder}, Shader{ShaderKind::anyHit, decoder}, {}});
-    if (hasGrids) {
+    if (variant.hasGrids) {
         shaders.hits.push_back(
             {Shader{ShaderKind::gridHit, decoder}, {}, Shader{ShaderKind::gridIntersection, decoder}});
     }
@@ -24,15 +26,15 @@ RayShaders rayShaders(Decoder decoder, bool hasGrids) {
 
 }  // namespace
 
-Result<PictureShaders> PictureShaders::make(Device::Data& device, RayPath path, Decoder decoder,
-                                            bool hasGrids, const BindingShape& shape,
-                                            std::span<const uint32_t> constants) {
+Result<PictureShaders> PictureShaders::make(Device::Data& device, RayPath path, const PictureVariant& variant,
+                                            const BindingShape& shape, std::span<const uint32_t> constants) {
     if (path == RayPath::pipeline) {
-        auto made = RayPipeline::make(device, rayShaders(decoder, hasGrids), shape, constants);
+        auto made = RayPipeline::make(device, rayShaders(variant), shape, constants);
         if (!made) return made.error();
         return PictureShaders(std::move(*made));
     }
-    auto made = Kernel::make(device, {ShaderKind::picture, decoder}, shape, constants);
+    auto made =
+        Kernel::make(device, {ShaderKind::picture, variant.decoder, variant.hardware}, shape, constants);
     if (!made) return made.error();
     return PictureShaders(std::move(*made));
 }

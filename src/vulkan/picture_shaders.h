@@ -12,10 +12,17 @@
 
 namespace filigree::vulkan {
 
+// What shaders must know of a scene and a method.
+struct PictureVariant {
+    Decoder decoder = Decoder::none;
+    bool hasGrids = false;  // compressed ones
+    bool hardware = false;  // structures have micromaps, and the decoder is none
+};
+
 class PictureShaders {
   public:
-    // `hasGrids`: the scene has compressed grids. `constants`: of each shader's constant_id 0, 1, ..
-    static Result<PictureShaders> make(Device::Data& device, RayPath path, Decoder decoder, bool hasGrids,
+    // `constants`: of each shader's constant_id 0, 1, ..
+    static Result<PictureShaders> make(Device::Data& device, RayPath path, const PictureVariant& variant,
                                        const BindingShape& shape, std::span<const uint32_t> constants);
 
     Bindings& bindings();

@@ -48,7 +48,7 @@ class PipelineMaker {
 
   private:
     uint32_t addStage(Shader shader, VkShaderStageFlagBits stage) {
-        auto made = Stage::make(device_, codeOf(shader), stage, constants_);
+        auto made = Stage::make(device_, shader, stage, constants_);
         if (!made) {
             status_ = made.error();
             return VK_SHADER_UNUSED_KHR;

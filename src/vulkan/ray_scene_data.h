@@ -3,23 +3,22 @@
 
 #include "filigree/vulkan/ray_scene.h"
 
-#include "vulkan/buffer.h"
-#include "vulkan/scene_words.h"
-#include "vulkan/structure.h"
-
-#include <optional>
-#include <vector>
+#include "vulkan/ray_structures.h"
 
 namespace filigree::vulkan {
 
 struct RayScene::Data {
-    std::vector<const scene::Primitive*> primitives;  // of the surfaces
-    Buffer words;                                     // SceneWords
-    std::vector<Structure> meshes;
+    const scene::Scene* scene = nullptr;
+    SceneWords layout;  // without its words, which the device has
+    Buffer words;
     std::optional<Structure> grids;  // over the boxes of records
     uint32_t gridsAt = noWord;       // of the words
     uint64_t gridWordBytes = 0;
-    std::optional<Structure> top;
+    RayStructures structures;
+
+    [[nodiscard]] StructureSource source() const {
+        return {*scene, layout, words, grids ? &*grids : nullptr};
+    }
 };
 
 }  // namespace filigree::vulkan

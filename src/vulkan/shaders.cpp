@@ -29,6 +29,7 @@
 #include "shaders/picture_flat.h"
 #include "shaders/picture_gruen.h"
 #include "shaders/picture_indexed_tree.h"
+#include "shaders/picture_micromaps.h"
 #include "shaders/picture_none.h"
 #include "shaders/picture_sdag.h"
 #include "shaders/picture_tree.h"
@@ -38,6 +39,7 @@
 #include "shaders/picture_vq4_plus.h"
 #include "shaders/ray_closest_hit.h"
 #include "shaders/ray_generation.h"
+#include "shaders/ray_generation_micromaps.h"
 #include "shaders/ray_grid_hit.h"
 #include "shaders/ray_grid_intersection.h"
 #include "shaders/ray_miss.h"
@@ -70,9 +72,9 @@ std::span<const uint32_t> codeOf(Shader shader) {
         case ShaderKind::gridLookup:
             return lookup_grids;
         case ShaderKind::picture:
-            return pictures[decoder];
+            return shader.micromaps ? std::span<const uint32_t>(picture_micromaps) : pictures[decoder];
         case ShaderKind::rayGeneration:
-            return ray_generation;
+            return shader.micromaps ? std::span<const uint32_t>(ray_generation_micromaps) : ray_generation;
         case ShaderKind::miss:
             return ray_miss;
         case ShaderKind::closestHit:

@@ -39,6 +39,7 @@ enum class ShaderKind : uint8_t {
 struct Shader {
     ShaderKind kind = ShaderKind::lookup;
     Decoder decoder = Decoder::flat;
+    bool micromaps = false;  // of pictures and ray generation: that set flags for the device's micromaps
 };
 
 std::span<const uint32_t> codeOf(Shader shader);

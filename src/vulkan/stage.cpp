@@ -1,12 +1,26 @@
 #include "vulkan/stage.h"
 
+#include "vulkan/micromap_shader.h"
+
 namespace filigree::vulkan {
 
-Result<Stage> Stage::make(Device::Data& device, std::span<const uint32_t> code, VkShaderStageFlagBits stage,
+namespace {
+
+std::vector<uint32_t> moduleOf(const Device::Data& device, Shader shader, VkShaderStageFlagBits stage) {
+    const std::span<const uint32_t> code = codeOf(shader);
+    if (!shader.micromaps) return {code.begin(), code.end()};
+    const bool queries = stage == VK_SHADER_STAGE_COMPUTE_BIT;
+    return withMicromaps(code, {true, queries && device.micromaps.api == MicromapApi::khr});
+}
+
+}  // namespace
+
+Result<Stage> Stage::make(Device::Data& device, Shader shader, VkShaderStageFlagBits stage,
                           std::span<const uint32_t> constants) {
+    const std::vector<uint32_t> code = moduleOf(device, shader, stage);
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = code.size_bytes();
+    info.codeSize = 4 * code.size();
     info.pCode = code.data();
     VkShaderModule handle = VK_NULL_HANDLE;
     auto status =

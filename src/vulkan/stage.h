@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vulkan/device_data.h"
+#include "vulkan/shaders.h"
 
 #include <cstdint>
 #include <span>
@@ -12,8 +13,8 @@ namespace filigree::vulkan {
 class Stage {
   public:
     // `constants`: of the shader's constant_id 0, 1, ..
-    static Result<Stage> make(Device::Data& device, std::span<const uint32_t> code,
-                              VkShaderStageFlagBits stage, std::span<const uint32_t> constants);
+    static Result<Stage> make(Device::Data& device, Shader shader, VkShaderStageFlagBits stage,
+                              std::span<const uint32_t> constants);
 
     // Looks into this stage, which must stay where it is meanwhile.
     [[nodiscard]] VkPipelineShaderStageCreateInfo info();

@@ -10,12 +10,13 @@ namespace filigree::vulkan {
 namespace {
 
 constexpr VkBufferUsageFlags addressed = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+constexpr uint64_t micromapAlignment = 256;
 
 VkAccelerationStructureBuildGeometryInfoKHR buildInfo(const StructureInput& input) {
     VkAccelerationStructureBuildGeometryInfoKHR info{};
     info.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_BUILD_GEOMETRY_INFO_KHR;
     info.type = input.type;
-    info.flags = VK_BUILD_ACCELERATION_STRUCTURE_PREFER_FAST_TRACE_BIT_KHR;
+    info.flags = input.flags;
     info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_BUILD_KHR;
     info.geometryCount = static_cast<uint32_t>(input.geometries.size());
     info.pGeometries = input.geometries.data();
@@ -31,34 +32,51 @@ VkAccelerationStructureBuildSizesInfoKHR sizesOf(const Device::Data& device, con
     return sizes;
 }
 
+// Micromaps can be made at an address alone.
+VkResult createHandle(const Device::Data& device, const Buffer& storage, uint64_t bytes,
+                      VkAccelerationStructureTypeKHR type, VkAccelerationStructureKHR* handle) {
+    if (type == micromapStructureKhr) {
+        CreateStructure2 create;
+        create.address = storage.address();
+        create.size = bytes;
+        return device.micromaps.createStructure(device.device.get(), &create, nullptr, handle);
+    }
+    VkAccelerationStructureCreateInfoKHR create{};
+    create.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR;
+    create.buffer = storage.get();
+    create.size = bytes;
+    create.type = type;
+    return device.rays.create(device.device.get(), &create, nullptr, handle);
+}
+
 }  // namespace
 
 Result<Structure> Structure::build(Device::Data& device, const StructureInput& input, std::string_view what) {
     const auto sizes = sizesOf(device, input);
     Structure made;
     auto storage = Buffer::make(device, sizes.accelerationStructureSize, BufferPlace::onDevice, what,
-                                addressed | VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR);
+                                addressed | VK_BUFFER_USAGE_ACCELERATION_STRUCTURE_STORAGE_BIT_KHR,
+                                input.type == micromapStructureKhr ? micromapAlignment : 1);
     if (!storage) return storage.error();
     made.storage_ = std::move(*storage);
-    const uint64_t alignment = device.scratchAlignment;
-    const auto scratch = Buffer::make(device, sizes.buildScratchSize + alignment, BufferPlace::onDevice,
-                                      "building it", addressed | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    const auto scratch =
+        Buffer::make(device, sizes.buildScratchSize, BufferPlace::onDevice, "building it",
+                     addressed | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, device.scratchAlignment);
     if (!scratch) return scratch.error().within(std::string(what));
-    VkAccelerationStructureCreateInfoKHR create{};
-    create.sType = VK_STRUCTURE_TYPE_ACCELERATION_STRUCTURE_CREATE_INFO_KHR;
-    create.buffer = made.storage_.get();
-    create.size = sizes.accelerationStructureSize;
-    create.type = input.type;
     const std::string action = fmt::format("build {}", what);
-    auto status = checked(device.rays.create(device.device.get(), &create, nullptr, &made.handle_), action);
+    auto status = checked(
+        createHandle(device, made.storage_, sizes.accelerationStructureSize, input.type, &made.handle_),
+        action);
     if (!status) return status.error();
     made.device_ = &device;
     auto info = buildInfo(input);
     info.dstAccelerationStructure = made.handle_;
-    info.scratchData.deviceAddress = (scratch->address() + alignment - 1) / alignment * alignment;
+    info.scratchData.deviceAddress = scratch->address();
     std::vector<VkAccelerationStructureBuildRangeInfoKHR> ranges;
     for (const uint32_t count : input.counts) ranges.push_back({count, 0, 0, 0});
-    const VkAccelerationStructureBuildRangeInfoKHR* first = ranges.data();
+    // Micromaps must have none.
+    const VkAccelerationStructureBuildRangeInfoKHR* first =
+        input.type == micromapStructureKhr ? nullptr : ranges.data();
     status = submit(device, action,
                     [&](VkCommandBuffer commands) { device.rays.build(commands, 1, &info, &first); });
     if (!status) return status.error();

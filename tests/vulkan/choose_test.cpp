@@ -36,5 +36,25 @@ TEST(ChooseDevice, NamesTheDevicesWhereTheChoiceIsNone) {
     EXPECT_FALSE(chooseDevice({}, "").ok());
 }
 
+TEST(ChooseDevice, TakesOnesThatHavePipelinesAlone) {
+    const std::array<DeviceFacts, 2> devices{{{"llvmpipe", "", DeviceKind::cpu, true, true, false},
+                                              {"Headless", "", DeviceKind::gpu, false, true, false}}};
+    EXPECT_EQ(*chooseDevice(devices, ""), 1u);
+}
+
+TEST(ChooseRayPath, PrefersQueriesAndTakesWhatThereIs) {
+    const DeviceFacts both = someDevices[0];
+    const DeviceFacts queries = someDevices[2];
+    const DeviceFacts pipelines{"Headless", "", DeviceKind::gpu, false, true, false};
+    EXPECT_EQ(*chooseRayPath(both, ""), RayPath::query);
+    EXPECT_EQ(*chooseRayPath(both, "pipeline"), RayPath::pipeline);
+    EXPECT_EQ(*chooseRayPath(queries, ""), RayPath::query);
+    EXPECT_EQ(*chooseRayPath(pipelines, ""), RayPath::pipeline);
+    EXPECT_EQ(chooseRayPath(both, "raster").error().kind, ErrorKind::usage);
+    EXPECT_EQ(chooseRayPath(queries, "pipeline").error().kind, ErrorKind::unsupported);
+    EXPECT_EQ(chooseRayPath(pipelines, "query").error().kind, ErrorKind::unsupported);
+    EXPECT_EQ(chooseRayPath(someDevices[1], "").error().kind, ErrorKind::unsupported);
+}
+
 }  // namespace
 }  // namespace filigree::vulkan

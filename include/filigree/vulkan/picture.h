@@ -28,6 +28,12 @@ struct SurfaceMaps {
     std::optional<uint32_t> texture;               // of a bitmask set
 };
 
+// What a structure is built for: PREFER_FAST_TRACE or PREFER_FAST_BUILD of Vulkan.
+enum class StructureBuild : uint8_t { fastTrace, fastBuild };
+// "fast-trace" and "fast-build".
+FILIGREE_API std::string_view nameOf(StructureBuild build);
+FILIGREE_API std::optional<StructureBuild> structureBuildNamed(std::string_view name);
+
 // How candidate hits are decided.
 struct Method {
     bool takesAll = false;  // every candidate is a hit, and none is counted
@@ -35,6 +41,9 @@ struct Method {
     // them.
     std::optional<encoding::EncodedView> set;
     std::optional<quadmap::SquareReader> squares;
+    // The device looks into micromaps made of `set`, which is flat; shaders see unknown states alone.
+    bool hardware = false;
+    StructureBuild build = StructureBuild::fastTrace;  // of hardware micromaps and the structures with them
     unsigned states = 4;                // 4: unknown states fetch the texture; 2: their side decides
     std::vector<SurfaceMaps> surfaces;  // by surface of the scene; may be fewer
 };
@@ -69,15 +78,16 @@ struct Picture {
     std::vector<uint32_t> fetches;        // [width * height], of textures, of all samples
     std::array<PictureCounts, 4> counts;  // primary, shadow, AO and bounce rays
     uint64_t pixelsHit = 0;               // samples whose first ray met the scene
+    double seconds = 0;                   // that the shaders took: by the device's clock, where it has one
 };
 
 // A method on a device, its shader compiled: renders any number of pictures of one scene.
 class FILIGREE_API Painter {
   public:
     // `device` and `scene` must outlive the result; the device has the path. Sets are checked first:
-    // ErrorKind::format.
-    // ErrorKind::unsupported for squares with two states, which hit by chance on the CPU, ErrorKind::limit
-    // where something does not fit.
+    // ErrorKind::format. ErrorKind::unsupported for squares with two states, which hit by chance on the CPU,
+    // and for hardware micromaps where the device has none of the level, ErrorKind::limit where something
+    // does not fit.
     static Result<Painter> make(const Device& device, const RayScene& scene, const Method& method,
                                 RayPath path);
 
@@ -89,6 +99,10 @@ class FILIGREE_API Painter {
     // rounds. ErrorKind::limit where it does not fit the device, ErrorKind::cancelled. Progress advances by
     // pixels.
     Result<Picture> render(const PictureSettings& settings, ProgressSink& progress);
+
+    // Memory on the device for what the method looks into, the maps of all triangles included; of hardware
+    // micromaps what the device made of them.
+    [[nodiscard]] uint64_t opacityBytes() const;
 
     // For this room only.
     struct Data;
