@@ -17,22 +17,8 @@ namespace {
 
 constexpr double labelSize = 11;
 
-struct Range {
-    double lo = INFINITY;
-    double hi = -INFINITY;
-    void take(double value) {
-        lo = std::min(lo, value);
-        hi = std::max(hi, value);
-    }
-    [[nodiscard]] bool empty() const { return lo > hi; }
-};
-
 double finite(double value) {
     return std::isfinite(value) ? value : 0;
-}
-
-bool isDrawable(const Axis& axis, double value) {
-    return std::isfinite(value) && (!axis.log || value > 0);
 }
 
 // ---- bars ----
@@ -144,7 +130,9 @@ std::pair<Range, Range> lineRanges(const LineChart& chart) {
 std::vector<LegendEntry> lineLegend(const LineChart& chart) {
     std::vector<LegendEntry> entries;
     for (const auto& series : chart.series) {
-        if (!series.name.empty()) entries.push_back({series.name, series.colour, true, series.dashed});
+        if (!series.name.empty())
+            entries.push_back(
+                {series.name, series.colour, series.dashed ? LegendMark::dashed : LegendMark::line});
     }
     return entries;
 }
@@ -171,12 +159,6 @@ void paintLine(const LineChart& chart, const LineChart::Series& series, const Sc
     }
     plot.drawing.shapes.emplace_back(std::move(line));
     plot.drawing.shapes.insert(plot.drawing.shapes.end(), dots.begin(), dots.end());
-}
-
-std::vector<TickLabel> scaleTicks(const Axis& axis, const Scale& scale) {
-    std::vector<TickLabel> ticks;
-    for (const double tick : scale.ticks()) ticks.push_back({scale.at(tick), axisText(axis, tick)});
-    return ticks;
 }
 
 }  // namespace

@@ -50,8 +50,9 @@ std::string withHint(const std::string& element, const std::string& name, const 
 }
 
 std::string svgOf(const Rect& r) {
-    return withHint(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" class=\"d\"",
-                                number(r.x), number(r.y), number(r.width), number(r.height), hex(r.fill)),
+    return withHint(fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"{}",
+                                number(r.x), number(r.y), number(r.width), number(r.height), hex(r.fill),
+                                r.outlined ? " class=\"d\"" : ""),
                     "rect", r.hint);
 }
 
@@ -72,8 +73,13 @@ std::string svgOf(const Polyline& p) {
 }
 
 std::string svgOf(const Dot& d) {
-    return withHint(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" class=\"d\"", number(d.x),
-                                number(d.y), number(d.radius), hex(d.fill)),
+    const std::string colour = hex(d.fill);
+    const std::string paint =
+        d.hollow
+            ? fmt::format("fill=\"{}\" fill-opacity=\".15\" stroke=\"{}\" stroke-width=\"2\"", colour, colour)
+            : fmt::format("fill=\"{}\" class=\"d\"", colour);
+    return withHint(fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}", number(d.x), number(d.y),
+                                number(d.radius), paint),
                     "circle", d.hint);
 }
 

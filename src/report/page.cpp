@@ -43,7 +43,9 @@ std::string contentHtml(const Figure& figure) {
 }
 
 std::string blockHtml(const Figure& figure) {
-    return fmt::format("<figure>{}<figcaption>{}</figcaption>{}</figure>\n", contentHtml(figure),
+    const std::string scale =
+        figure.scale ? "<div class=\"scale\">" + toSvg(layOut(*figure.scale)) + "</div>" : "";
+    return fmt::format("<figure>{}{}<figcaption>{}</figcaption>{}</figure>\n", contentHtml(figure), scale,
                        escapeHtml(figure.caption), commandHtml(figure.command));
 }
 
@@ -155,6 +157,10 @@ Figure chartFigure(const BarChart& chart, std::string caption, std::string comma
 }
 
 Figure chartFigure(const LineChart& chart, std::string caption, std::string command) {
+    return layOutTwice(chart, std::move(caption), std::move(command));
+}
+
+Figure chartFigure(const ScatterChart& chart, std::string caption, std::string command) {
     return layOutTwice(chart, std::move(caption), std::move(command));
 }
 

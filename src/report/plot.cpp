@@ -27,11 +27,37 @@ std::string shortened(std::string text, double room) {
     return text + "...";
 }
 
+// Left of an entry's name, at the height of its text.
+Shape legendShape(const LegendEntry& entry, double x, double top) {
+    switch (entry.mark) {
+        case LegendMark::line:
+        case LegendMark::dashed:
+            return Polyline{
+                {{x, top + 2}, {x + 16, top + 2}}, entry.colour, 3, entry.mark == LegendMark::dashed};
+        case LegendMark::dot:
+        case LegendMark::ring:
+            return Dot{x + 8, top + 2, 5, entry.colour, "", entry.mark == LegendMark::ring};
+        case LegendMark::box:
+            break;
+    }
+    return Rect{x + 1, top - 4, 12, 12, entry.colour, ""};
+}
+
 }  // namespace
 
 std::string axisText(const Axis& axis, double value) {
     if (!axis.share) return formatCompact(value);
     return formatCompact(value * 100) + " %";
+}
+
+bool isDrawable(const Axis& axis, double value) {
+    return std::isfinite(value) && (!axis.log || value > 0);
+}
+
+std::vector<TickLabel> scaleTicks(const Axis& axis, const Scale& scale) {
+    std::vector<TickLabel> ticks;
+    for (const double tick : scale.ticks()) ticks.push_back({scale.at(tick), axisText(axis, tick)});
+    return ticks;
 }
 
 Plot::Plot(double width, double height, const std::string& title) : right(width - 16), bottom(height - 12) {
@@ -53,11 +79,7 @@ void Plot::addLegend(const std::vector<LegendEntry>& entries) {
             x = left;
             top += 18;
         }
-        if (e.line) {
-            drawing.shapes.push_back(Polyline{{{x, top + 2}, {x + 16, top + 2}}, e.colour, 3, e.dashed});
-        } else {
-            drawing.shapes.push_back(Rect{x + 1, top - 4, 12, 12, e.colour, ""});
-        }
+        drawing.shapes.push_back(legendShape(e, x, top));
         drawing.shapes.push_back(Text{x + 21, top + 6, shortened(e.name, right - x - 21), textSize,
                                       Anchor::start, Ink::text, false, false});
         x += width;

@@ -5,16 +5,19 @@
 
 #include "report/scale.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace filigree::report {
 
+enum class LegendMark : uint8_t { box, line, dashed, dot, ring };
 struct LegendEntry {
     std::string name;
     Colour colour;
-    bool line = false;  // a stroke instead of a box
-    bool dashed = false;
+    LegendMark mark = LegendMark::box;
 };
 
 // A tick of the horizontal axis: its place in [0, 1] and its text.
@@ -46,5 +49,21 @@ class Plot {
 
 // A value on an axis, as text.
 std::string axisText(const Axis& axis, double value);
+
+// The least and the greatest of some values.
+struct Range {
+    double lo = INFINITY;
+    double hi = -INFINITY;
+    void take(double value) {
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+    }
+    [[nodiscard]] bool empty() const { return lo > hi; }
+};
+
+bool isDrawable(const Axis& axis, double value);
+
+// The ticks of a scale with their texts.
+std::vector<TickLabel> scaleTicks(const Axis& axis, const Scale& scale);
 
 }  // namespace filigree::report

@@ -1,5 +1,7 @@
 #include "filigree/report/chart.h"
 
+#include "filigree/report/colour_scale.h"
+
 #include "report/scale.h"
 
 #include <cmath>
@@ -143,6 +145,49 @@ TEST(Chart, linesRiseWithTheirValues) {
     EXPECT_GT(p[0].second, p[2].second);
     expectInside(drawing);
     EXPECT_THAT(toSvg(drawing), HasSubstr("size (bytes)"));
+}
+
+TEST(Chart, dotsLieByBothMeasures) {
+    ScatterChart chart;
+    chart.x = {"bytes", "", true};
+    chart.y = {"speed"};
+    chart.series = {{"lattice", {{1, 10, "torus"}, {100, 20}, {NAN, 3}, {-1, 3}}, seriesColour(2)}};
+    const Drawing drawing = layOut(chart);
+    const auto dots = shapesOf<Dot>(drawing);
+    ASSERT_EQ(dots.size(), 3U) << "the legend's, and two of the data";
+    EXPECT_LT(dots[1].x, dots[2].x);
+    EXPECT_GT(dots[1].y, dots[2].y);
+    EXPECT_EQ(dots[1].hint, "lattice, torus: 1, 10");
+    EXPECT_EQ(dots[2].hint, "lattice: 100, 20");
+    expectInside(drawing);
+    EXPECT_THAT(toSvg(drawing), Not(HasSubstr("fill-opacity")));
+    chart.series[0].hollow = true;
+    EXPECT_THAT(toSvg(layOut(chart)), HasSubstr("fill-opacity"));
+    chart.series[0].points.resize(0);
+    EXPECT_THAT(toSvg(layOut(chart)), HasSubstr("no data"));
+}
+
+ColourScale greys() {
+    return {"error, % of the diagonal",
+            {{0, 0, 0}, {100, 100, 100}, {200, 100, 0}},
+            {{0, "0"}, {0.5, "1"}, {1, "4"}},
+            "mean 0.2"};
+}
+
+TEST(ColourScale, blendsItsColours) {
+    EXPECT_EQ(colourAt(greys(), 0.25), (Colour{50, 50, 50}));
+    EXPECT_EQ(colourAt(greys(), 0.75), (Colour{150, 100, 50}));
+    EXPECT_EQ(colourAt(greys(), -3), (Colour{0, 0, 0}));
+    EXPECT_EQ(colourAt(greys(), 3), (Colour{200, 100, 0}));
+}
+
+TEST(ColourScale, staysInside) {
+    const Drawing drawing = layOut(greys());
+    expectInside(drawing);
+    const auto rects = shapesOf<Rect>(drawing);
+    EXPECT_GT(rects.size(), 32U);
+    EXPECT_NEAR(rects.back().x + rects.back().width, drawing.width - 1, 0.01);
+    EXPECT_EQ(shapesOf<Text>(drawing).size(), 5U);
 }
 
 TEST(Svg, escapesAndFollowsTheTheme) {

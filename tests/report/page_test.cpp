@@ -69,6 +69,17 @@ TEST(Page, tablesCarryTheirCsv) {
     EXPECT_THAT(html, HasSubstr("<thead><tr data-csv=\"n\">"));
 }
 
+TEST(Page, picturesCarryTheirScale) {
+    Page page = samplePage();
+    auto& figure = std::get<Figure>(page.sections[0].blocks[2]);
+    EXPECT_THAT(toHtml(page), Not(HasSubstr("class=\"scale\"")));
+    figure.scale = ColourScale{"error (%)", {{1, 2, 3}, {4, 5, 6}}, {{0, "none"}, {1, "all"}}};
+    const std::string html = toHtml(page);
+    EXPECT_THAT(html, HasSubstr("class=\"scale\""));
+    EXPECT_THAT(html, HasSubstr("error (%)"));
+    EXPECT_THAT(html, HasSubstr("none"));
+}
+
 TEST(Page, picturesTooLargeToEmbedAreLinked) {
     Page page;
     page.sections = {{"", {Figure{Picture{{}, 0, 0, "", "big.png"}, "Big", ""}}}};

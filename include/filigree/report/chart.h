@@ -1,4 +1,4 @@
-// Bar charts, histograms and line charts.
+// Bar charts, histograms, line charts and scatter charts.
 #pragma once
 
 #include "filigree/report/drawing.h"
@@ -53,8 +53,28 @@ struct LineChart {
     std::vector<Series> series;
 };
 
+// Dots by two measures.
+struct ScatterChart {
+    struct Point {
+        double x = 0;
+        double y = 0;
+        std::string name{};  // on hover, after the series'; empty for none
+    };
+    struct Series {
+        std::string name;
+        std::vector<Point> points;  // those not finite are left out
+        Colour colour = seriesColour(0);
+        bool hollow = false;  // rings, to tell more series apart than there are colours
+    };
+    std::string title;
+    Axis x;
+    Axis y;
+    std::vector<Series> series;
+};
+
 // The chart as a drawing `width` units wide. A chart without data says "no data".
 Drawing layOut(const BarChart& chart, double width = 640, double height = 360);
 Drawing layOut(const LineChart& chart, double width = 640, double height = 360);
+Drawing layOut(const ScatterChart& chart, double width = 640, double height = 360);
 
 }  // namespace filigree::report

@@ -25,6 +25,7 @@ struct Rect {
     double x = 0, y = 0, width = 0, height = 0;
     Colour fill;
     std::string hint{};  // shown on hover; empty for none
+    bool outlined = true;
 };
 struct Line {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -41,6 +42,7 @@ struct Dot {
     double x = 0, y = 0, radius = 3;
     Colour fill;
     std::string hint{};
+    bool hollow = false;  // a ring
 };
 enum class Anchor : uint8_t { start, middle, end };
 struct Text {

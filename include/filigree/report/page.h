@@ -2,6 +2,7 @@
 #pragma once
 
 #include "filigree/report/chart.h"
+#include "filigree/report/colour_scale.h"
 #include "filigree/report/drawing.h"
 #include "filigree/report/map_view.h"
 #include "filigree/report/table.h"
@@ -27,13 +28,15 @@ struct Picture {
 struct Figure {
     std::variant<Picture, Drawing> content;
     std::string caption;
-    std::string command;              // that makes it again; empty for none
-    std::optional<Drawing> narrow{};  // in place of a Drawing in narrow windows
+    std::string command;                 // that makes it again; empty for none
+    std::optional<Drawing> narrow{};     // in place of a Drawing in narrow windows
+    std::optional<ColourScale> scale{};  // what the colours of a Picture mean
 };
 
 // A chart laid out for wide windows and for phones.
 Figure chartFigure(const BarChart& chart, std::string caption, std::string command);
 Figure chartFigure(const LineChart& chart, std::string caption, std::string command);
+Figure chartFigure(const ScatterChart& chart, std::string caption, std::string command);
 
 // Figures beside each other where the window is wide enough.
 struct FigureRow {
