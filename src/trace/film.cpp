@@ -1,5 +1,7 @@
 #include "filigree/trace/render.h"
 
+#include "trace/srgb.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,13 +13,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> integratorNames{"primary", "shadow", "ao", "path"};
 
-// The curve of sRGB (IEC 61966-2-1).
-uint8_t encoded(float value) {
-    const float c = std::clamp(value, 0.0F, 1.0F);
-    const float s = c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
-    return static_cast<uint8_t>(std::lround(s * 255));
-}
-
 // Brightens dark pictures, those of halls that the sun does not reach.
 float exposure(const Film& film) {
     constexpr double wanted = 0.35;  // mean of all channels
@@ -25,6 +20,18 @@ float exposure(const Film& film) {
     for (const Vec3& light : film.sums) sum += double{light[0]} + light[1] + light[2];
     const double mean = sum / (3.0 * film.samples * static_cast<double>(film.sums.size()));
     return mean > 0 ? static_cast<float>(std::clamp(wanted / mean, 1.0, 12.0)) : 1;
+}
+
+// Each channel of a sum as `tone` of it, which is cut at 1.
+template <class Tone>
+scene::ColourImage pictureOf(const Film& film, const Tone& tone) {
+    scene::ColourImage image{film.width, film.height, {}};
+    image.rgba.reserve(4 * film.sums.size());
+    for (const Vec3& sum : film.sums) {
+        for (const float channel : sum) image.rgba.push_back(srgbOf(tone(channel)));
+        image.rgba.push_back(255);
+    }
+    return image;
 }
 
 }  // namespace
@@ -61,14 +68,13 @@ Status check(const RenderSettings& settings) {
 }
 
 scene::ColourImage developed(const Film& film) {
-    scene::ColourImage image{film.width, film.height, {}};
-    image.rgba.reserve(4 * film.sums.size());
     const float scale = film.samples > 0 ? exposure(film) / static_cast<float>(film.samples) : 0;
-    for (const Vec3& sum : film.sums) {
-        for (const float channel : sum) image.rgba.push_back(encoded(1 - std::exp(-channel * scale)));
-        image.rgba.push_back(255);
-    }
-    return image;
+    return pictureOf(film, [scale](float sum) { return 1 - std::exp(-sum * scale); });
+}
+
+scene::ColourImage exposed(const Film& film, float exposure) {
+    const float scale = film.samples > 0 ? exposure / static_cast<float>(film.samples) : 0;
+    return pictureOf(film, [scale](float sum) { return sum * scale; });
 }
 
 }  // namespace filigree::trace

@@ -4,6 +4,7 @@
 #include "trace/cast.h"
 #include "trace/cosine_direction.h"
 #include "trace/random.h"
+#include "trace/srgb.h"
 #include "trace/tiles.h"
 #include "trace/world_data.h"
 
@@ -41,18 +42,6 @@ struct Place {
     Vec3 normal{};  // geometric, of length 1, towards the ray's origin
     Vec3 albedo{};
 };
-
-const std::array<float, 256>& linearOfSrgb() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> made{};
-        for (size_t i = 0; i < made.size(); ++i) {
-            const float c = static_cast<float>(i) / 255;
-            made[i] = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
-        }
-        return made;
-    }();
-    return table;
-}
 
 // Of length 1 and towards where a ray comes from.
 Vec3 facingNormal(const Vec3& normal, const Vec3& direction) {

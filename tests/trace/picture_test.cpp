@@ -173,5 +173,16 @@ TEST_F(Pictures, BlendLetsItsShareOfRaysThrough) {
     EXPECT_NEAR(static_cast<double>(film.pixelsHit) / (64 * 64 * 8), 64.0 / 255, 0.01);
 }
 
+TEST(Film, IsExposedWithItsColours) {
+    trace::Film film(2, 1);
+    film.samples = 2;
+    film.sums = {{2, 1, 0}, {9, 9, 9}};
+    EXPECT_EQ(trace::exposed(film, 0.5F).rgba, (std::vector<uint8_t>{188, 137, 0, 255, 255, 255, 255, 255}));
+    const Vec3 linear = trace::albedoOfSrgb({188, 137, 0});
+    EXPECT_NEAR(linear[0], 0.5, 0.005);
+    EXPECT_NEAR(linear[1], 0.25, 0.005);
+    EXPECT_EQ(linear[2], 0);
+}
+
 }  // namespace
 }  // namespace filigree

@@ -9,6 +9,7 @@
 #include "filigree/grid/rays.h"
 #include "filigree/grid/vertex_grid.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -25,6 +26,9 @@ struct GridPart {
     // The diffuse colour where a ray hits, linear; empty: as bare earth.
     std::function<Vec3(const grid::Hit& hit)> albedo;
 };
+
+// The linear colour of one in 8-bit sRGB, for GridPart::albedo.
+FILIGREE_API Vec3 albedoOfSrgb(const std::array<uint8_t, 3>& srgb);
 
 // Around all of it, up to the rounding of the hierarchy's boxes.
 FILIGREE_API Box boundsOf(const GridPart& part);

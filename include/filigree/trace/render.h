@@ -80,6 +80,9 @@ FILIGREE_API bool addSample(const World& world, const Opacity& opacity, const Re
 // The mean as 8-bit sRGB, tone-mapped as 1 - exp(-x); dark pictures are brightened, up to twelve times.
 FILIGREE_API scene::ColourImage developed(const Film& film);
 
+// The mean times `exposure` as 8-bit sRGB, cut where it passes 1: colours keep their proportions.
+FILIGREE_API scene::ColourImage exposed(const Film& film, float exposure);
+
 // A sensible camera when a file has none, for a picture `aspect` times as wide as high: all of the world from
 // outside, from where most is to be seen; from within where no surface with holes shows outside.
 FILIGREE_API scene::Camera overview(const World& world, float aspect = 16.0F / 9);
