@@ -57,8 +57,8 @@ std::vector<std::filesystem::path> corpus(const char* folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s CORPUS_FOLDER\n", argv[0]);
+    if (argc != 2 && argc != 3) {
+        std::fprintf(stderr, "usage: %s CORPUS_FOLDER [RUNS]\n", argv[0]);
         return 2;
     }
     const auto files = corpus(argv[1]);
@@ -66,7 +66,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s: no files; a corpus needs at least one\n", argv[1]);
         return 1;
     }
-    const size_t most = std::getenv("FILIGREE_FULL") != nullptr ? 20'000 : 800;
+    const size_t usual = argc == 3 ? std::strtoul(argv[2], nullptr, 10) : 800;
+    const size_t most = std::getenv("FILIGREE_FULL") != nullptr ? 20'000 : usual;
     size_t runs = 0;
     for (const auto& path : files) {
         std::ifstream file(path, std::ios::binary);
