@@ -11,13 +11,6 @@ vec3 blendedNormal(uint first, uvec3 vertices, vec2 weights) {
            weights.x * normalOfVertex(first, vertices.y) + weights.y * normalOfVertex(first, vertices.z);
 }
 
-// The corners of a quad's half, a b c d being vertices `a`, a + 1, a + columns + 1 and a + columns.
-uvec3 cornersOfHalf(uint a, uint columns, bool isBd, uint half_) {
-    const uvec4 all_ = a + uvec4(0u, 1u, columns + 1u, columns);
-    if (isBd) return half_ == 0u ? all_.xyw : all_.yzw;
-    return half_ == 0u ? all_.xyz : all_.xzw;
-}
-
 // From the vertices' normals; zero where there are none.
 vec3 smoothNormal(GridHit hit) {
     const uint at = word(grids + 16u);
@@ -37,7 +30,8 @@ vec3 smoothNormal(GridHit hit) {
     const uint grid = at + 3u + 2u * (recordWord(record, 0u) & 0xffffffu);
     const uint columns = word(grid);
     const uint a = word(grid + 1u) + inGrid.y * columns + inGrid.x;
-    return blendedNormal(word(at), cornersOfHalf(a, columns, latticeDiagonal(tile, quad.x, quad.y), hit.place >> 8), hit.weights);
+    const uvec4 corners = a + uvec4(0u, 1u, columns + 1u, columns);
+    return blendedNormal(word(at), halfOf(corners, latticeDiagonal(tile, quad.x, quad.y), hit.place >> 8), hit.weights);
 }
 
 // `direction` and `origin` of the ray, world units.

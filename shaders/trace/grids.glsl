@@ -120,9 +120,45 @@ bool meetsTriangle(GridRay ray, vec3 p, vec3 q, vec3 r, float tMin, inout GridHi
     return true;
 }
 
+// The corners of a half of a quad a b c d.
+uvec3 halfOf(uvec4 quad, bool isBd, uint half_) {
+    if (isBd) return half_ == 0u ? quad.xyw : quad.yzw;
+    return half_ == 0u ? quad.xyz : quad.xzw;
+}
+
 vec3 triangleNormal(ivec3 p, ivec3 q, ivec3 r) {
     const vec3 stepSize = gridVector(6u);
     return cross(vec3(q - p) * stepSize, vec3(r - p) * stepSize);
+}
+
+// The corners a b c d of a quad of a block, as numbers of places.
+uvec4 cornersOfQuad(uvec2 steps, uvec2 quad) {
+    const uvec2 across = uvec2(placeOfVertex(steps.x, quad.x), placeOfVertex(steps.x, quad.x + 1u));
+    const uvec2 down = 5u * uvec2(placeOfVertex(steps.y, quad.y), placeOfVertex(steps.y, quad.y + 1u));
+    return uvec4(down.xx + across, down.yy + across.yx);
+}
+
+// Which triangles of the block in latticePatch the ray passes within their edges, or may: bit 2 (4 row + column) + half.
+uint trianglesOnRay(vec3 places[25], uvec2 steps, uint diagonals) {
+    uint found = 0u;
+    [[dont_unroll]] for (uint k = 0u; k < 16u; ++k) {
+        const uvec2 quad = uvec2(k & 3u, k >> 2);
+        if (quad.x >= steps.x || quad.y >= steps.y) continue;
+        // From where the diagonal begins.
+        uvec4 corners = cornersOfQuad(steps, quad);
+        const bool isBd = ((diagonals >> k) & 1u) != 0u;
+        if (isBd) corners = corners.yzwx;
+        const vec3 p = places[corners.x];
+        const vec3 q = places[corners.y];
+        const vec3 r = places[corners.z];
+        const vec3 s = places[corners.w];
+        const float pr = edgeOf(p, r);
+        uint halves = haveOneSign(vec3(edgeOf(p, q), edgeOf(q, r), -pr)) ? 1u : 0u;
+        if (haveOneSign(vec3(edgeOf(r, s), edgeOf(s, p), pr))) halves |= 2u;
+        if (isBd) halves = ((halves & 1u) << 1) | (halves >> 1);
+        found |= halves << (2u * k);
+    }
+    return found;
 }
 
 // The block in latticePatch.
@@ -130,29 +166,20 @@ bool meetsBlock(LatticeTile tile, uvec2 block, GridRay ray, float tMin, bool any
     const uvec2 steps = uvec2(stepsOf(tile.quads.x, block.x), stepsOf(tile.quads.y, block.y));
     const uint diagonals = blockDiagonals(tile, block);
     vec3 places[25];
-    for (uint k = 0u; k < 25u; ++k) places[k] = seen(ray, latticePatch[k]);
+    [[dont_unroll]] for (uint k = 0u; k < 25u; ++k) places[k] = seen(ray, latticePatch[k]);
     bool isHit = false;
-    for (uint k = 0u; k < 16u; ++k) {
+    for (uint left = trianglesOnRay(places, steps, diagonals); left != 0u; left &= left - 1u) {
+        const uint bit = uint(findLSB(left));
+        const uint k = bit >> 1;
+        const uint half_ = bit & 1u;
         const uvec2 quad = uvec2(k & 3u, k >> 2);
-        if (quad.x >= steps.x || quad.y >= steps.y) continue;
-        const uvec2 left = uvec2(placeOfVertex(steps.x, quad.x), placeOfVertex(steps.x, quad.x + 1u));
-        const uvec2 top = 5u * uvec2(placeOfVertex(steps.y, quad.y), placeOfVertex(steps.y, quad.y + 1u));
-        const uint a = top.x + left.x;
-        const uint b = top.x + left.y;
-        const uint c = top.y + left.y;
-        const uint d = top.y + left.x;
-        const bool isBd = ((diagonals >> k) & 1u) != 0u;
-        const uvec3 first = isBd ? uvec3(a, b, d) : uvec3(a, b, c);
-        const uvec3 second = isBd ? uvec3(b, c, d) : uvec3(a, c, d);
+        const uvec3 corners = halfOf(cornersOfQuad(steps, quad), ((diagonals >> k) & 1u) != 0u, half_);
+        if (!meetsTriangle(ray, places[corners.x], places[corners.y], places[corners.z], tMin, hit)) continue;
         const uvec2 inTile = 4u * block + quad;
-        for (uint half_ = 0u; half_ < 2u; ++half_) {
-            const uvec3 corners = half_ == 0u ? first : second;
-            if (!meetsTriangle(ray, places[corners.x], places[corners.y], places[corners.z], tMin, hit)) continue;
-            hit.place = inTile.x | (inTile.y << 4) | (half_ << 8);
-            hit.normal = triangleNormal(latticePatch[corners.x], latticePatch[corners.y], latticePatch[corners.z]);
-            if (anyHit) return true;
-            isHit = true;
-        }
+        hit.place = inTile.x | (inTile.y << 4) | (half_ << 8);
+        hit.normal = triangleNormal(latticePatch[corners.x], latticePatch[corners.y], latticePatch[corners.z]);
+        if (anyHit) return true;
+        isHit = true;
     }
     return isHit;
 }
@@ -177,17 +204,23 @@ bool passesBlock(LatticeTile tile, uvec2 block, GridRay ray, float tMin, float t
 bool meetsTile(uint record, GridRay ray, float tMin, bool anyHit, inout GridHit hit) {
     const LatticeTile tile = latticeTile(record);
     decodeCoarse(tile);
+    // First all boxes, then the blocks that are left: so rays side by side decode different ones at a time.
+    uint insides[16];
+    uint passed = 0u;
     uint inside = tile.insides;
+    for (uint k = 0u; k < tile.blocks.x * tile.blocks.y; ++k) {
+        const uvec2 block = uvec2(k % tile.blocks.x, k / tile.blocks.x);
+        insides[k] = inside;
+        inside += insideBits(tile, block);
+        if (passesBlock(tile, block, ray, tMin, hit.t)) passed |= 1u << k;
+    }
     bool isHit = false;
-    for (uvec2 block = uvec2(0u); block.y < tile.blocks.y; ++block.y) {
-        for (block.x = 0u; block.x < tile.blocks.x; ++block.x) {
-            if (passesBlock(tile, block, ray, tMin, hit.t)) {
-                decodeBlock(tile, block, inside);
-                if (meetsBlock(tile, block, ray, tMin, anyHit, hit)) isHit = true;
-                if (anyHit && isHit) return true;
-            }
-            inside += insideBits(tile, block);
-        }
+    for (; passed != 0u; passed &= passed - 1u) {
+        const uint k = uint(findLSB(passed));
+        const uvec2 block = uvec2(k % tile.blocks.x, k / tile.blocks.x);
+        decodeBlock(tile, block, insides[k]);
+        if (meetsBlock(tile, block, ray, tMin, anyHit, hit)) isHit = true;
+        if (anyHit && isHit) return true;
     }
     return isHit;
 }
