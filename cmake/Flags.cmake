@@ -2,7 +2,8 @@
 
 add_library(filigree_flags INTERFACE)
 target_compile_options(filigree_flags INTERFACE
-    -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror
+    -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+    $<$<BOOL:${FILIGREE_WERROR}>:-Werror>
     # Where sources are compiled together (FILIGREE_UNITY), their names meet.
     $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
     # Results must not vary with the instruction set, so no multiply-add is fused behind our back.
