@@ -5,46 +5,6 @@
 #include "text_table.h"
 
 namespace filigree::app {
-namespace {
-
-report::Table tableOf(const jobs::BenchGridsSummary& summary) {
-    using report::Show;
-    report::Table table;
-    table.columns = {{"scene", "scene"},
-                     {"method", "method"},
-                     {"triangles", "triangles", "", Show::compact},
-                     {"bytes", "bytes a triangle", "", Show::plain, 3},
-                     {"build", "build", "s", Show::plain, 3},
-                     {"primary", "primary", "Mrays/s", Show::plain, 3},
-                     {"ratio_primary", "ratio", "", Show::plain, 3},
-                     {"bounce", "bounce", "Mrays/s", Show::plain, 3},
-                     {"ratio_bounce", "ratio", "", Show::plain, 3},
-                     {"ao", "AO", "Mrays/s", Show::plain, 3},
-                     {"ratio_ao", "ratio", "", Show::plain, 3},
-                     {"shuffled", "shuffled", "Mrays/s", Show::plain, 3},
-                     {"ratio_shuffled", "ratio", "", Show::plain, 3}};
-    for (const auto& r : summary.rows) {
-        table.rows.push_back({r.scene, r.method, static_cast<int64_t>(r.triangles), r.bytesPerTriangle,
-                              r.buildSeconds, r.primary.mraysPerSecond, r.primary.ratio,
-                              r.bounce.mraysPerSecond, r.bounce.ratio, r.ao.mraysPerSecond, r.ao.ratio,
-                              r.shuffled.mraysPerSecond, r.shuffled.ratio});
-    }
-    return table;
-}
-
-report::Table leaksOf(const jobs::BenchGridsSummary& summary) {
-    report::Table table;
-    table.columns = {{"scene", "closed shape"},
-                     {"method", "method"},
-                     {"rays", "rays at vertices and edges"},
-                     {"misses", "misses"}};
-    for (const auto& l : summary.leaks)
-        table.rows.push_back(
-            {l.scene, l.method, static_cast<int64_t>(l.rays), static_cast<int64_t>(l.misses)});
-    return table;
-}
-
-}  // namespace
 
 void addBenchGrids(CLI::App& bench, Commands& commands) {
     Command command(
@@ -78,6 +38,7 @@ void addBenchGrids(CLI::App& bench, Commands& commands) {
     verb.add_option("--leak-size", options->leakSize,
                     "Vertices a side of that torus, and quads a side of the box; default 513")
         ->type_name("N");
+    verb.add_option("--html", options->page, "A page with charts and tables")->type_name("FILE");
     command.onRun([command, options, full] {
         if (*full) {
             options->sizes.push_back(4097);
@@ -86,8 +47,8 @@ void addBenchGrids(CLI::App& bench, Commands& commands) {
         auto progress = command.progress();
         return command.finish(jobs::benchGrids(*options, *command.executor(), progress),
                               [](const auto& summary) {
-                                  printTable(tableOf(summary));
-                                  if (!summary.leaks.empty()) printTable(leaksOf(summary));
+                                  printTable(jobs::benchGridsTable(summary));
+                                  if (!summary.leaks.empty()) printTable(jobs::benchLeaksTable(summary));
                               });
     });
     commands.push_back(command);

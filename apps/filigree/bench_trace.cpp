@@ -7,36 +7,6 @@
 #include "text_table.h"
 
 namespace filigree::app {
-namespace {
-
-report::Table tableOf(const jobs::BenchTraceSummary& summary) {
-    using report::Show;
-    report::Table table;
-    table.columns = {{"scene", "scene"},
-                     {"rays", "rays"},
-                     {"method", "method"},
-                     {"states", "states"},
-                     {"level", "level"},
-                     {"mrays", "speed", "Mrays/s", Show::plain, 3},
-                     {"ratio", "to texture", "", Show::plain, 3},
-                     {"least", "least", "", Show::plain, 3},
-                     {"most", "most", "", Show::plain, 3},
-                     {"tests", "tests a ray", "", Show::plain, 3},
-                     {"fetches", "fetches a ray", "", Show::plain, 3},
-                     {"bits", "bits a lookup", "", Show::plain, 1},
-                     {"bytes", "opacity", "bytes", Show::bytes}};
-    const auto cell = [](const std::optional<unsigned>& value) {
-        return value ? report::Cell(int64_t{*value}) : report::Cell();
-    };
-    for (const auto& r : summary.rows) {
-        table.rows.push_back({r.scene, r.rays, r.method, cell(r.states), cell(r.level), r.mraysPerSecond,
-                              r.ratioToTexture, r.leastRatio, r.mostRatio, r.testsPerRay, r.fetchesPerRay,
-                              r.bitsPerLookup, static_cast<int64_t>(r.opacityBytes)});
-    }
-    return table;
-}
-
-}  // namespace
 
 void addBenchTrace(CLI::App& bench, Commands& commands) {
     Command command(
@@ -66,11 +36,12 @@ void addBenchTrace(CLI::App& bench, Commands& commands) {
     verb.add_option("--atlas", options->atlas,
                     "Pack the masked textures into one RGBA image of so many texels a side first")
         ->type_name("N");
+    verb.add_option("--html", options->page, "A page with charts and tables")->type_name("FILE");
     addTestOptions(verb, options->parameters);
     command.onRun([command, options] {
         auto progress = command.progress();
         return command.finish(jobs::benchTrace(*options, *command.executor(), progress),
-                              [](const auto& summary) { printTable(tableOf(summary)); });
+                              [](const auto& summary) { printTable(jobs::benchTraceTable(summary)); });
     });
     commands.push_back(command);
 }

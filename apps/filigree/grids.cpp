@@ -5,6 +5,7 @@
 #include "command.h"
 #include "encoded_lines.h"
 #include "parsed_number.h"
+#include "picture_options.h"
 #include "text_table.h"
 
 #include <fmt/format.h>
@@ -101,6 +102,10 @@ void addGrids(CLI::App& app, Commands& commands) {
                   "Leave out normals, texture coordinates and the way back to source triangles");
     verb.add_option("--error-map", options->errorMap, "A picture of the error of each sub-grid")
         ->type_name("PNG");
+    verb.add_option("--html", options->page,
+                    "A page with pictures, the error on the surface, charts and tables")
+        ->type_name("FILE");
+    addSizeOption(verb, options->width, options->height, "960x540; of the page's pictures");
     verb.add_flag("--zstd", options->zstd, "Compress the sections of the file that become smaller");
     command.onRun([command, options] {
         auto progress = command.progress();

@@ -80,27 +80,13 @@ void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--preview", options.previewSeconds,
                     "Write the picture so far about every so many seconds, between samples")
         ->type_name("SECONDS");
-}
-
-report::Table rayTable(const jobs::RenderSummary& s) {
-    report::Table table;
-    table.columns = {{"kind", "Rays"},       {"rays", "Count"},      {"candidates", "Candidate hits"},
-                     {"lookups", "Lookups"}, {"unknown", "Unknown"}, {"fetches", "Texture fetches"},
-                     {"per_ray", "per ray"}, {"bits", "Bits/lookup"}};
-    for (size_t k = 0; k < trace::rayKindCount; ++k) {
-        const auto kind = static_cast<trace::RayKind>(k);
-        const trace::RayCounts& c = s.counters[kind];
-        if (c.rays == 0) continue;
-        const auto whole = [](uint64_t n) { return static_cast<int64_t>(n); };
-        const auto share = [](uint64_t n, uint64_t of) -> report::Cell {
-            if (of == 0) return {};
-            return static_cast<double>(n) / static_cast<double>(of);
-        };
-        table.rows.push_back({std::string(nameOf(kind)), whole(c.rays), whole(c.candidateHits),
-                              whole(c.lookups), whole(c.unknown), whole(c.textureFetches),
-                              share(c.textureFetches, c.rays), share(c.bitsRead, c.lookups)});
-    }
-    return table;
+    verb.add_option("--html", options.page,
+                    "A page with the picture, heat maps without and with maps, and tables")
+        ->type_name("FILE");
+    verb.add_option("--beside", options.beside,
+                    "Other methods for the page to set beside this one, with commas between them")
+        ->delimiter(',')
+        ->type_name("NAMES");
 }
 
 std::string comparison(const jobs::RenderSummary& s) {
@@ -140,7 +126,7 @@ void printRendered(const jobs::RenderSummary& s) {
     lines.emplace_back("memory", bytesText(s.peakBytes));
     printPairs(lines);
     fmt::print("\n");
-    printTable(rayTable(s));
+    printTable(jobs::rayTable(s));
 }
 
 }  // namespace

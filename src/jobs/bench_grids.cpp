@@ -1,16 +1,17 @@
 #include "filigree/jobs/bench_grids.h"
 
 #include "filigree/core/box.h"
+#include "filigree/core/file.h"
 #include "filigree/grid/error.h"
 #include "filigree/grid/shapes.h"
 #include "filigree/trace/grid_rays.h"
 #include "filigree/trace/render.h"
 
+#include "jobs/bench_grids_page.h"
 #include "jobs/grid_input.h"
 #include "jobs/grid_leaks.h"
 #include "jobs/grid_methods.h"
 #include "jobs/grid_race.h"
-#include "jobs/json_text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -243,53 +244,10 @@ Result<BenchGridsSummary> benchGrids(const BenchGridsOptions& options, const Exe
         if (const Status counted = countAllLeaks(options, executor, progress, summary); !counted)
             return counted.error();
     }
+    if (options.page.empty()) return summary;
+    const Status written = writeFile(options.page, report::toHtml(benchGridsPage(options, summary)));
+    if (!written) return written.error();
     return summary;
-}
-
-namespace {
-
-template <class Value>
-Json perKind(const BenchGridsRow& row, Value BenchGridsSpeed::*value) {
-    return {{"primary", row.primary.*value},
-            {"bounce", row.bounce.*value},
-            {"ao", row.ao.*value},
-            {"shuffled", row.shuffled.*value}};
-}
-
-}  // namespace
-
-std::string toJson(const BenchGridsSummary& summary) {
-    Json rows = Json::array();
-    for (const BenchGridsRow& r : summary.rows) {
-        rows.push_back({{"scene", r.scene},
-                        {"triangles", r.triangles},
-                        {"method", r.method},
-                        {"bytes_per_triangle", r.bytesPerTriangle},
-                        {"build_seconds", r.buildSeconds},
-                        {"cache_bytes", r.cacheBytes},
-                        {"primary_mrays", r.primary.mraysPerSecond},
-                        {"bounce_mrays", r.bounce.mraysPerSecond},
-                        {"ao_mrays", r.ao.mraysPerSecond},
-                        {"shuffled_mrays", r.shuffled.mraysPerSecond},
-                        {"ratio_primary", r.primary.ratio},
-                        {"ratio_bounce", r.bounce.ratio},
-                        {"ratio_ao", r.ao.ratio},
-                        {"ratio_shuffled", r.shuffled.ratio},
-                        {"ratio_to_streams", perKind(r, &BenchGridsSpeed::ratioToStreams)},
-                        {"batched", perKind(r, &BenchGridsSpeed::batched)},
-                        {"hits", perKind(r, &BenchGridsSpeed::hits)}});
-    }
-    BenchGridsLeaks lattice;
-    Json leaks = Json::array();
-    for (const BenchGridsLeaks& l : summary.leaks) {
-        leaks.push_back({{"scene", l.scene}, {"method", l.method}, {"rays", l.rays}, {"misses", l.misses}});
-        if (l.method != watertightMethod) continue;
-        lattice.rays += l.rays;
-        lattice.misses += l.misses;
-    }
-    return dump({{"rows", rows},
-                 {"leaks", {{"rays", lattice.rays}, {"misses", lattice.misses}}},
-                 {"leaks_by_method", leaks}});
 }
 
 }  // namespace filigree::jobs

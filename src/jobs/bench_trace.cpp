@@ -1,12 +1,13 @@
 #include "filigree/jobs/bench_trace.h"
 
+#include "filigree/core/file.h"
 #include "filigree/io/gltf.h"
 #include "filigree/trace/rays.h"
 
 #include "jobs/atlas.h"
+#include "jobs/bench_trace_page.h"
 #include "jobs/busy_view.h"
 #include "jobs/camera_choice.h"
-#include "jobs/json_text.h"
 #include "jobs/level_sweep.h"
 #include "jobs/median.h"
 #include "jobs/opacity_input.h"
@@ -268,25 +269,10 @@ Result<BenchTraceSummary> benchTrace(const BenchTraceOptions& options, const Exe
         const Status done = SceneBench(options, *plan, input, executor, progress, summary).run();
         if (!done) return done.error();
     }
+    if (options.page.empty()) return summary;
+    const Status written = writeFile(options.page, report::toHtml(benchTracePage(options, summary)));
+    if (!written) return written.error();
     return summary;
-}
-
-std::string toJson(const BenchTraceSummary& summary) {
-    const auto orNull = [](const std::optional<unsigned>& value) { return value ? Json(*value) : Json(); };
-    Json rows = Json::array();
-    for (const BenchTraceRow& r : summary.rows) {
-        rows.push_back({{"scene", r.scene},
-                        {"rays", r.rays},
-                        {"method", r.method},
-                        {"states", orNull(r.states)},
-                        {"level", orNull(r.level)},
-                        {"mrays_per_second", r.mraysPerSecond},
-                        {"ratio_to_texture", r.ratioToTexture},
-                        {"fetches_per_ray", r.fetchesPerRay},
-                        {"tests_per_ray", r.testsPerRay},
-                        {"opacity_bytes", r.opacityBytes}});
-    }
-    return dump({{"rows", rows}});
 }
 
 }  // namespace filigree::jobs

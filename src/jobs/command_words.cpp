@@ -1,5 +1,7 @@
 #include "jobs/command_words.h"
 
+#include <variant>
+
 #include <fmt/format.h>
 
 namespace filigree::jobs {
@@ -32,6 +34,62 @@ std::vector<std::string> bakeWords(const BakeParameters& p) {
     words.insert(words.end(), test.begin(), test.end());
     if (p.rotate) words.emplace_back("--rotate");
     return words;
+}
+
+std::string cameraWord(const CameraChoice& camera) {
+    if (const auto* number = std::get_if<unsigned>(&camera)) return fmt::format("--camera={}", *number);
+    const auto* own = std::get_if<OwnCamera>(&camera);
+    if (own == nullptr) return "";
+    return fmt::format("--camera={},{},{},{}", fmt::join(own->eye, ","), fmt::join(own->target, ","),
+                       fmt::join(own->up, ","), own->fov);
+}
+
+std::string renderCommand(const RenderOptions& o) {
+    const RenderOptions usual;
+    std::vector<std::string> words{"filigree", "render", o.input.string(), "-o", o.output.string()};
+    const auto add = [&](const char* option, const std::string& value) { addWords(words, option, value); };
+    if (!o.scene.empty()) add("--scene", o.scene.string());
+    if (o.method != usual.method) add("--method", o.method);
+    if (o.statesGiven) add("--states", std::to_string(o.states));
+    if (o.levelGiven) add("--level", o.level ? std::to_string(*o.level) : "auto");
+    if (o.integrator != usual.integrator) add("--integrator", o.integrator);
+    if (o.width != usual.width || o.height != usual.height)
+        add("--size", fmt::format("{}x{}", o.width, o.height));
+    if (o.spp != usual.spp) add("--spp", std::to_string(o.spp));
+    if (o.seed != usual.seed) add("--seed", std::to_string(o.seed));
+    if (const std::string camera = cameraWord(o.camera); !camera.empty()) words.push_back(camera);
+    if (o.bounces != usual.bounces) add("--bounces", std::to_string(o.bounces));
+    if (o.defer) words.emplace_back("--defer");
+    if (o.twoStateShadows) words.emplace_back("--two-state-shadows");
+    if (o.backend != usual.backend) add("--backend", o.backend);
+    if (!o.device.empty()) add("--device", o.device);
+    if (!o.heatmap.empty()) add("--heatmap", o.heatmap.string());
+    if (o.heatmapOf == HeatmapOf::bits) add("--heatmap-of", "bits");
+    if (!o.triptych.empty()) add("--triptych", o.triptych.string());
+    if (!o.beside.empty()) add("--beside", fmt::format("{}", fmt::join(o.beside, ",")));
+    if (!o.page.empty()) add("--html", o.page.string());
+    return shellCommand(words);
+}
+
+std::string gridsCommand(const GridsOptions& o) {
+    std::vector<std::string> words{"filigree", "grids", o.input.string(), "-o", o.output.string()};
+    const auto add = [&](const char* option, const std::string& value) { addWords(words, option, value); };
+    if (o.codec != GridsOptions().codec) add("--codec", o.codec);
+    if (o.precision.maxError)
+        add("--max-error", fmt::format("{}{}", *o.precision.maxError, o.precision.isShare ? "d" : ""));
+    if (o.precision.matchPaper) words.emplace_back("--match-paper");
+    if (o.precision.lossless) words.emplace_back("--lossless");
+    if (!o.displacement.empty()) add("--displacement", o.displacement);
+    if (o.snap) words.emplace_back("--snap");
+    if (o.cell) add("--cell", fmt::format("{}", *o.cell));
+    if (o.heightScale) add("--height-scale", fmt::format("{}", *o.heightScale));
+    if (!o.attributes) words.emplace_back("--no-attributes");
+    if (o.zstd) words.emplace_back("--zstd");
+    if (o.width != GridsOptions().width || o.height != GridsOptions().height)
+        add("--size", fmt::format("{}x{}", o.width, o.height));
+    if (!o.errorMap.empty()) add("--error-map", o.errorMap.string());
+    if (!o.page.empty()) add("--html", o.page.string());
+    return shellCommand(words);
 }
 
 std::string shellCommand(std::span<const std::string> words) {

@@ -7,6 +7,7 @@
 #include "jobs/encode_scene.h"
 #include "jobs/inspection.h"
 #include "jobs/level_sweep.h"
+#include "jobs/page_parts.h"
 #include "jobs/peak_memory.h"
 #include "jobs/scene_bytes.h"
 #include "jobs/stopwatch.h"
@@ -165,6 +166,7 @@ Status writePage(const CompareOptions& options, const CompareSummary& summary) {
     page.title = "What the micromaps of " + summary.scene + " take";
     page.lead = "Every published way to store them, level by level. Equal maps are stored once.";
     page.sections = comparisonSections(summary, options);
+    addNotes(summary.notes, page);
     return writeFile(options.page, report::toHtml(page));
 }
 

@@ -2,10 +2,9 @@
 
 #include "jobs/command_words.h"
 #include "jobs/json_text.h"
+#include "jobs/page_parts.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include <fmt/format.h>
 
@@ -54,27 +53,6 @@ std::string commandOf(const CompareOptions& options) {
     words.insert(words.end(), more.begin(), more.end());
     words.insert(words.end(), {"--html", options.page.empty() ? "compare.html" : options.page.string()});
     return shellCommand(words);
-}
-
-report::Section notesSection(const std::vector<std::string>& notes) {
-    report::Section section{"Notes", {}};
-    for (const std::string& note : notes) section.blocks.emplace_back(report::Paragraph{note});
-    return section;
-}
-
-// The same for a method in every chart; neighbours in size stay apart.
-report::Colour methodColour(const std::string& method) {
-    static constexpr std::array<std::pair<std::string_view, size_t>, 7> colours{{{"flat", 0},
-                                                                                 {"gruen", 7},
-                                                                                 {"bitmask", 2},
-                                                                                 {"tree", 3},
-                                                                                 {"indexed-tree", 4},
-                                                                                 {"dag", 5},
-                                                                                 {"sdag", 1}}};
-    for (const auto& [name, colour] : colours) {
-        if (name == method) return report::seriesColour(colour);
-    }
-    return report::seriesColour(6);
 }
 
 // A level line over the whole chart.
@@ -171,7 +149,6 @@ std::vector<report::Section> comparisonSections(const CompareSummary& summary,
     report::Table rows = rowTable(summary);
     rows.command = command;
     sections.push_back({"All figures", {std::move(rows)}});
-    if (!summary.notes.empty()) sections.push_back(notesSection(summary.notes));
     return sections;
 }
 

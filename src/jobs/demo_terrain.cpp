@@ -23,6 +23,8 @@ constexpr double heightScale = 0.005;       // a grey step, so that hills keep t
 constexpr const char* heightsFile = "terrain.png";
 constexpr const char* gridsFile = "terrain.fil";
 constexpr const char* viewFile = "terrain-view.png";
+constexpr const char* gridsPageFile = "terrain.html";
+constexpr const char* viewPageFile = "terrain-view.html";
 
 // The terrain as a grey image of 16 bits, its lowest vertex black.
 Status writeHeights(const std::filesystem::path& file, const Executor& executor) {
@@ -37,17 +39,6 @@ Status writeHeights(const std::filesystem::path& file, const Executor& executor)
     const auto png = io::encodeGreyPng(heightfieldSide, heightfieldSide, std::span<const uint16_t>(greys));
     if (!png) return png.error();
     return writeFile(file, *png);
-}
-
-std::string terrainCommand(const GridsOptions& o) {
-    return shellCommand(std::vector<std::string>{"filigree", "grids", o.input.string(), "-o",
-                                                 o.output.string(), "--height-scale",
-                                                 fmt::format("{}", *o.heightScale)});
-}
-std::string terrainCommand(const RenderOptions& o) {
-    return shellCommand(std::vector<std::string>{"filigree", "render", o.input.string(), "-o",
-                                                 o.output.string(), "--integrator", o.integrator, "--spp",
-                                                 std::to_string(o.spp)});
 }
 
 report::Table terrainTable(const DemoTerrain& terrain, const std::string& command) {
@@ -78,6 +69,7 @@ Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const E
     conversion.input = terrain.heights;
     conversion.output = terrain.grids;
     conversion.heightScale = heightScale;
+    conversion.page = folder / gridsPageFile;
     auto converted = grids(conversion, executor, progress);
     if (!converted) return converted.error();
     terrain.conversion = std::move(*converted);
@@ -86,17 +78,21 @@ Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const E
     view.input = terrain.grids;
     view.output = folder / viewFile;
     view.integrator = "path";
+    view.page = folder / viewPageFile;
     auto rendered = render(view, executor, progress);
     if (!rendered) return rendered.error();
     terrain.render = std::move(*rendered);
-    terrain.files = {viewFile};
+    terrain.files = {viewFile, gridsPageFile, viewPageFile};
 
     auto figure = figureOf(view.output, "The terrain, path-traced",
-                           "Diffuse paths, traced from the compressed tiles.", terrainCommand(view));
+                           "Diffuse paths, traced from the compressed tiles.", renderCommand(view));
     if (!figure) return figure.error();
     terrain.section = {"A displaced terrain in tiles", {}};
     terrain.section.blocks.emplace_back(std::move(*figure));
-    terrain.section.blocks.emplace_back(terrainTable(terrain, terrainCommand(conversion)));
+    terrain.section.blocks.emplace_back(terrainTable(terrain, gridsCommand(conversion)));
+    terrain.section.blocks.emplace_back(
+        report::Links{{{gridsPageFile, "its grids and their error on the surface, charts and tables"},
+                       {viewPageFile, "what its rays cost"}}});
     return terrain;
 }
 

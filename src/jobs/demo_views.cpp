@@ -15,6 +15,7 @@ namespace filigree::jobs {
 namespace {
 
 constexpr const char* triptychFile = "alpha-tests.png";
+constexpr const char* renderPageFile = "view.html";
 
 RenderOptions optionsFor(const std::filesystem::path& baked, unsigned camera,
                          const std::filesystem::path& folder) {
@@ -25,26 +26,11 @@ RenderOptions optionsFor(const std::filesystem::path& baked, unsigned camera,
     options.integrator = "shadow";
     options.spp = 8;
     options.camera = camera;
-    if (camera == 0) options.triptych = folder / triptychFile;
+    if (camera > 0) return options;
+    options.triptych = folder / triptychFile;
+    options.page = folder / renderPageFile;
+    options.beside = {"micromap", "bitmask", "vq4+"};
     return options;
-}
-
-std::string commandOf(const RenderOptions& o) {
-    std::vector<std::string> words{"filigree",
-                                   "render",
-                                   o.input.string(),
-                                   "-o",
-                                   o.output.string(),
-                                   "--method",
-                                   o.method,
-                                   "--integrator",
-                                   o.integrator,
-                                   "--spp",
-                                   std::to_string(o.spp),
-                                   "--camera",
-                                   std::to_string(std::get<unsigned>(o.camera))};
-    if (!o.triptych.empty()) words.insert(words.end(), {"--triptych", o.triptych.string()});
-    return shellCommand(words);
 }
 
 report::Table testsTable(const RenderSummary& s, const std::string& command) {
@@ -84,7 +70,7 @@ Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t camer
         auto rendered = render(options, executor, progress);
         if (!rendered) return rendered.error();
         const std::string alt = fmt::format("The demo scene from camera {}", camera);
-        auto figure = figureOf(options.output, alt, alt + ", sun, shadows and sky.", commandOf(options));
+        auto figure = figureOf(options.output, alt, alt + ", sun, shadows and sky.", renderCommand(options));
         if (!figure) return figure.error();
         views.section.blocks.emplace_back(std::move(*figure));
         views.files.push_back(options.output.filename().string());
@@ -92,11 +78,14 @@ Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t camer
             auto tests = figureOf(options.triptych, "Alpha tests without and with micromaps",
                                   "Where rays must ask the alpha texture: each time (middle), and with "
                                   "micromaps (right). The picture is the same.",
-                                  commandOf(options));
+                                  renderCommand(options));
             if (!tests) return tests.error();
             views.section.blocks.emplace_back(std::move(*tests));
-            views.section.blocks.emplace_back(testsTable(*rendered, commandOf(options)));
-            views.files.emplace_back(triptychFile);
+            views.section.blocks.emplace_back(testsTable(*rendered, renderCommand(options)));
+            views.section.blocks.emplace_back(report::Links{
+                {{renderPageFile,
+                  "the first view with heat maps, the bits that lookups read, and other methods"}}});
+            views.files.insert(views.files.end(), {triptychFile, renderPageFile});
         }
         views.renders.push_back(std::move(*rendered));
     }

@@ -1,10 +1,11 @@
 #include "jobs/grid_error_map.h"
 
-#include "jobs/heat_map.h"
+#include "filigree/grid/error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace filigree::jobs {
 namespace {
 
 constexpr uint32_t sheetLimit = 4096;  // pixels a side, about
+constexpr uint32_t panelLimit = 1024;  // the same in a page
 constexpr uint32_t sheetGap = 1;
 constexpr unsigned sharesPerPercent = 10000;
 
@@ -72,31 +74,51 @@ ErrorSheet packedSheet(const std::vector<grid::SubGridShares>& pieces) {
     return sheet;
 }
 
-}  // namespace
+// The errors of all sub-grids on one sheet, in percent.
+struct ErrorSheetSums {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<uint32_t> sums;
+    std::string what;
 
-Canvas gridErrorMap(const grid::GridMesh& mesh, const grid::DecodedGrids& decoded,
-                    const GridsSummary& summary) {
+    [[nodiscard]] HeatSource source() const { return {what, sums, width, height, sharesPerPercent}; }
+};
+
+ErrorSheetSums errorSums(const grid::GridMesh& mesh, const grid::DecodedGrids& decoded, grid::Codec codec,
+                         uint32_t limit) {
     std::vector<grid::SubGridShares> pieces;
     for (uint32_t k = 0; k < mesh.grids.size(); ++k) pieces.push_back(grid::subGridShares(mesh, decoded, k));
     if (pieces.empty()) pieces.push_back({1, 1, {0}});
     ErrorSheet sheet = packedSheet(pieces);
-    while (std::max(sheet.width, sheet.height) > sheetLimit) {
+    while (std::max(sheet.width, sheet.height) > limit) {
         for (auto& piece : pieces) piece = reducedShares(piece, 2);
         const ErrorSheet smaller = packedSheet(pieces);
         if (smaller.width >= sheet.width && smaller.height >= sheet.height) break;
         sheet = smaller;
     }
-    std::vector<uint32_t> sums(size_t{sheet.width} * sheet.height, HeatSource::absent);
+    ErrorSheetSums all{sheet.width, sheet.height, {}, fmt::format("{} error, % of sub-grid", nameOf(codec))};
+    all.sums.assign(size_t{sheet.width} * sheet.height, HeatSource::absent);
     for (size_t k = 0; k < pieces.size(); ++k) {
         for (size_t s = 0; s < pieces[k].shares.size(); ++s) {
             const size_t row = sheet.places[k].top + s / pieces[k].columns;
             const double percent = std::min(100 * double{pieces[k].shares[s]}, 1e5);
-            sums[row * sheet.width + sheet.places[k].left + s % pieces[k].columns] =
+            all.sums[row * sheet.width + sheet.places[k].left + s % pieces[k].columns] =
                 static_cast<uint32_t>(std::lround(percent * sharesPerPercent));
         }
     }
-    const std::string what = fmt::format("{} error, % of sub-grid", nameOf(summary.codec));
-    return heatMap({what, sums, sheet.width, sheet.height, sharesPerPercent});
+    return all;
+}
+
+}  // namespace
+
+Canvas gridErrorMap(const grid::GridMesh& mesh, const grid::DecodedGrids& decoded, grid::Codec codec) {
+    return heatMap(errorSums(mesh, decoded, codec, sheetLimit).source());
+}
+
+HeatPanel gridErrorPanel(const grid::GridMesh& mesh, const grid::DecodedGrids& decoded, grid::Codec codec) {
+    const ErrorSheetSums all = errorSums(mesh, decoded, codec, panelLimit);
+    const HeatSource source = all.source();
+    return heatPanel(source, heatEnd(source));
 }
 
 }  // namespace filigree::jobs

@@ -4,10 +4,12 @@
 #include "filigree/grid/decode_grids.h"
 #include "filigree/io/fil_grids.h"
 #include "filigree/report/number.h"
+#include "filigree/trace/render.h"
 
 #include "jobs/grid_error_map.h"
 #include "jobs/grid_input.h"
 #include "jobs/grid_lattice.h"
+#include "jobs/grids_page.h"
 #include "jobs/stopwatch.h"
 
 #include <cmath>
@@ -54,7 +56,7 @@ Status checkForCodec(const GridsOptions& options, grid::Codec codec) {
     if (!options.errorMap.empty() && options.errorMap.extension() != ".png")
         return gridUsage(fmt::format("--error-map {}: is a PNG; give a name that ends in .png",
                                      options.errorMap.string()));
-    return {};
+    return trace::checkSize(options.width, options.height);
 }
 
 Result<GridChoice> choiceOf(const GridsOptions& options) {
@@ -83,7 +85,7 @@ class GridsRun {
     Result<GridsSummary> run() {
         const Stopwatch total;
         for (const auto stage : {&GridsRun::read, &GridsRun::choosePrecision, &GridsRun::encode,
-                                 &GridsRun::measure, &GridsRun::write}) {
+                                 &GridsRun::measure, &GridsRun::draw, &GridsRun::write}) {
             if (const Status status = (this->*stage)(); !status) return status.error();
         }
         summary_.totalSeconds = total.seconds();
@@ -145,18 +147,30 @@ class GridsRun {
 
     Status measure() {
         const auto loose = static_cast<uint32_t>(mesh_.looseTriangles.size());
-        const auto decoded = grid::decodeGrids(file_.grids, mesh_.grids, loose, executor_);
-        summary_.errors = grid::errorsOf(mesh_, decoded, executor_);
-        if (choice_.codec == grid::Codec::paper) summary_.cracks = grid::cracksOf(mesh_, decoded);
-        addNotes();
-        if (options_.errorMap.empty()) return {};
-        auto png = gridErrorMap(mesh_, decoded, summary_).png();
-        if (!png) return png.error();
-        errorMap_ = std::move(*png);
+        decoded_ = grid::decodeGrids(file_.grids, mesh_.grids, loose, executor_);
+        summary_.errors = grid::errorsOf(mesh_, decoded_, executor_);
+        if (choice_.codec == grid::Codec::paper) summary_.cracks = grid::cracksOf(mesh_, decoded_);
+        noteErrors();
+        file_.attributes = options_.attributes ? grid::attributesOf(mesh_) : grid::GridAttributes();
+        summary_.attributeBytes = file_.attributes.bytes();
         return {};
     }
 
-    void addNotes() {
+    Status draw() {
+        if (!options_.errorMap.empty()) {
+            auto png = gridErrorMap(mesh_, decoded_, choice_.codec).png();
+            if (!png) return png.error();
+            errorMap_ = std::move(*png);
+        }
+        if (options_.page.empty()) return {};
+        const GridViewSource source{mesh_, file_.grids, decoded_, file_.attributes};
+        const auto page = makeGridsPage(options_, summary_, source, executor_, progress_);
+        if (!page) return page.error();
+        page_ = report::toHtml(*page);
+        return {};
+    }
+
+    void noteErrors() {
         constexpr double coarse = 0.25;
         if (summary_.errors.subGridMax > coarse) {
             summary_.notes.push_back(
@@ -173,16 +187,22 @@ class GridsRun {
     Status write() {
         file_.table = mesh_.grids;
         file_.looseTriangles = static_cast<uint32_t>(mesh_.looseTriangles.size());
-        if (options_.attributes) file_.attributes = grid::attributesOf(mesh_);
-        summary_.attributeBytes = file_.attributes.bytes();
         const auto bytes = io::writeFilGrids(options_.output, file_, options_.zstd);
         if (!bytes) return bytes.error();
         summary_.fileBytes = *bytes;
-        if (options_.errorMap.empty()) return {};
-        Status written = writeFile(options_.errorMap, errorMap_);
+        Status written = writePictures();
         std::error_code ignored;
-        if (!written) std::filesystem::remove(options_.output, ignored);
+        if (written) return written;
+        std::filesystem::remove(options_.output, ignored);
+        std::filesystem::remove(options_.errorMap, ignored);
         return written;
+    }
+
+    Status writePictures() {
+        if (!options_.errorMap.empty()) {
+            if (Status written = writeFile(options_.errorMap, errorMap_); !written) return written;
+        }
+        return options_.page.empty() ? Status() : writeFile(options_.page, page_);
     }
 
     const GridsOptions& options_;
@@ -192,7 +212,9 @@ class GridsRun {
     grid::GridMesh mesh_;
     grid::EncodeOptions encoding_;
     io::FilGrids file_;
+    grid::DecodedGrids decoded_;
     std::vector<uint8_t> errorMap_;
+    std::string page_;
     GridsSummary summary_;
 };
 

@@ -2,10 +2,10 @@
 
 #include "filigree/report/number.h"
 
+#include "jobs/colour_ramp.h"
 #include "jobs/lettering.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -22,48 +22,12 @@ constexpr Colour blank{255, 255, 255};
 constexpr Colour heatInk{20, 24, 28};
 constexpr uint32_t leastPanel = 360;  // pixels; below it a heat map's pixels are magnified
 
-// The share of the scale where a share of its end stands: a root, so that few tests show beside many.
-double placeOf(double share) {
-    return std::sqrt(std::clamp(share, 0.0, 1.0));
-}
-
-// From the scale's beginning to its end: dark to light, so that it reads without colour, too.
-Colour heatColour(double place) {
-    constexpr std::array<Colour, 7> stops = {{{0, 0, 4},
-                                              {51, 16, 104},
-                                              {129, 32, 116},
-                                              {203, 65, 76},
-                                              {244, 124, 36},
-                                              {250, 190, 60},
-                                              {252, 255, 190}}};
-    const double at = place * (stops.size() - 1);
-    const size_t below = std::min(static_cast<size_t>(at), stops.size() - 2);
-    return mixed(stops[below], stops[below + 1], at - static_cast<double>(below));
-}
-
-// The least of 1, 2, 4 and 8 times a power of ten that is not below `value`, so that quarters are round.
-double roundedUp(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 4.0, 8.0}) {
-        if (factor * power >= value * 0.9999) return factor * power;
-    }
-    return 10 * power;
-}
-
 // The sums that count.
 std::vector<uint32_t> present(const HeatSource& source) {
     std::vector<uint32_t> sums;
     std::ranges::copy_if(source.sums, std::back_inserter(sums),
                          [](uint32_t sum) { return sum != HeatSource::absent; });
     return sums;
-}
-
-double scaleEnd(const HeatSource& source) {
-    std::vector<uint32_t> sums = present(source);
-    const auto at = sums.begin() + static_cast<std::ptrdiff_t>((sums.size() - 1) * 999 / 1000);
-    std::nth_element(sums.begin(), at, sums.end());
-    const double most = *at > 0 ? static_cast<double>(*at) / source.samples : source.maximum();
-    return most > 0 ? roundedUp(most) : 1;
 }
 
 // Draws one value a pixel, `zoom` times as large.
@@ -78,9 +42,10 @@ void drawPanel(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& si
 
 void drawHeat(Canvas& canvas, uint32_t left, uint32_t top, const HeatSource& source, uint32_t zoom,
               double end) {
+    const report::ColourScale ramp{"", heatRamp(), {}};
     drawPanel(canvas, left, top, source, zoom, [&](size_t pixel) {
         if (source.sums[pixel] == HeatSource::absent) return blank;
-        return heatColour(placeOf(source.at(pixel) / end));
+        return report::colourAt(ramp, rampPlace(source.at(pixel), end));
     });
 }
 
@@ -90,20 +55,19 @@ struct Legend {
 
     [[nodiscard]] uint32_t height() const { return static_cast<uint32_t>(std::ceil(4.6 * size)); }
 
-    void draw(Canvas& canvas, double left, double top, double width, const std::string& title,
-              double end) const {
+    void draw(Canvas& canvas, double left, double top, double width, const report::ColourScale& scale) const {
         const double margin = std::ceil(size);
-        drawText(canvas, title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, heatInk,
+        drawText(canvas, scale.title, {left + margin, top + 1.5 * size}, size, report::Anchor::start, heatInk,
                  true);
         const double bar = std::floor(std::min(width - 2 * margin, 30 * size));
         for (double x = 0; x < bar; ++x)
-            canvas.fillRect(left + margin + x, top + 2 * size, 1, size, heatColour(x / bar));
-        for (int quarter = 0; quarter <= 4; ++quarter) {
-            const auto anchor = quarter == 0   ? report::Anchor::start
-                                : quarter == 4 ? report::Anchor::end
+            canvas.fillRect(left + margin + x, top + 2 * size, 1, size, report::colourAt(scale, x / bar));
+        for (const auto& mark : scale.marks) {
+            const auto anchor = mark.at <= 0   ? report::Anchor::start
+                                : mark.at >= 1 ? report::Anchor::end
                                                : report::Anchor::middle;
-            drawText(canvas, report::formatCompact(end * quarter * quarter / 16),
-                     {left + margin + bar * quarter / 4, top + 4.1 * size}, size, anchor, heatInk);
+            drawText(canvas, mark.text, {left + margin + bar * mark.at, top + 4.1 * size}, size, anchor,
+                     heatInk);
         }
     }
 };
@@ -141,16 +105,32 @@ double HeatSource::maximum() const {
     return counts.empty() ? 0 : static_cast<double>(*std::ranges::max_element(counts)) / samples;
 }
 
+double heatEnd(const HeatSource& source) {
+    std::vector<uint32_t> sums = present(source);
+    const auto at = sums.begin() + static_cast<std::ptrdiff_t>((sums.size() - 1) * 999 / 1000);
+    std::nth_element(sums.begin(), at, sums.end());
+    const double most = *at > 0 ? static_cast<double>(*at) / source.samples : source.maximum();
+    return rampEnd(most);
+}
+
 Canvas heatMap(const HeatSource& source) {
     const uint32_t zoom = std::max(1u, (leastPanel + source.width - 1) / source.width);
     const uint32_t width = source.width * zoom;
     const uint32_t height = source.height * zoom;
     const Legend legend{textSize(width)};
     Canvas canvas(width, height + legend.height(), blank);
-    const double end = scaleEnd(source);
+    const double end = heatEnd(source);
     drawHeat(canvas, 0, 0, source, zoom, end);
-    legend.draw(canvas, 0, height, width, fmt::format("{}: {}", source.what, meanAndMaximum(source)), end);
+    const std::string title = fmt::format("{}: {}", source.what, meanAndMaximum(source));
+    legend.draw(canvas, 0, height, width, rampScale(heatRamp(), title, end, ""));
     return canvas;
+}
+
+HeatPanel heatPanel(const HeatSource& source, double end) {
+    HeatPanel panel{Canvas(source.width, source.height, blank),
+                    rampScale(heatRamp(), std::string(source.what), end, meanAndMaximum(source))};
+    drawHeat(panel.picture, 0, 0, source, 1, end);
+    return panel;
 }
 
 Canvas triptych(const scene::ColourImage& picture, std::string_view method, const HeatSource& without,
@@ -163,7 +143,7 @@ Canvas triptych(const scene::ColourImage& picture, std::string_view method, cons
     const Legend legend{size};
     const auto captions = static_cast<uint32_t>(std::ceil(2.1 * size));
     Canvas canvas(3 * width + 2 * gap, captions + height + legend.height(), blank);
-    const double end = scaleEnd(without);
+    const double end = heatEnd(without);
     const auto left = [&](uint32_t panel) { return panel * (width + gap); };
     const auto caption = [&](uint32_t panel, const std::string& text) {
         drawText(canvas, text, {left(panel) + 0.3 * size, 1.4 * size}, size, report::Anchor::start, heatInk,
@@ -178,7 +158,8 @@ Canvas triptych(const scene::ColourImage& picture, std::string_view method, cons
     });
     drawHeat(canvas, left(1), captions, without, zoom, end);
     drawHeat(canvas, left(2), captions, with, zoom, end);
-    legend.draw(canvas, left(1), captions + height, width, std::string(without.what), end);
+    legend.draw(canvas, left(1), captions + height, width,
+                rampScale(heatRamp(), std::string(without.what), end, ""));
     return canvas;
 }
 

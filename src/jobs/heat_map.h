@@ -1,6 +1,7 @@
 // Pictures of what pixels cost, with their scale.
 #pragma once
 
+#include "filigree/report/colour_scale.h"
 #include "filigree/scene/scene.h"
 
 #include "jobs/canvas.h"
@@ -26,9 +27,18 @@ struct HeatSource {
     [[nodiscard]] double maximum() const;
 };
 
-// The counts a sample in colour, and below them the scale, their mean and maximum. The scale ends where all
-// but a thousandth of the pixels are below.
+// Where a scale ends: all but a thousandth of the pixels are below.
+double heatEnd(const HeatSource& source);
+
+// The counts a sample in colour, and below them the scale, their mean and maximum.
 Canvas heatMap(const HeatSource& source);
+
+// The same in parts, for pages; a pixel is a pixel.
+struct HeatPanel {
+    Canvas picture;
+    report::ColourScale scale;
+};
+HeatPanel heatPanel(const HeatSource& source, double end);
 
 // A picture, and the counts without and with micromaps, side by side on one scale (Waldemarson and Doggett
 // 2024, figure 1). All three have one size.

@@ -7,6 +7,7 @@
 #include "jobs/inspection.h"
 #include "jobs/json_text.h"
 #include "jobs/overlay.h"
+#include "jobs/page_parts.h"
 
 #include <algorithm>
 
@@ -42,12 +43,7 @@ report::Page pageOf(const InspectOptions& options, Inspection inspection) {
                     ? name + " has no micromaps; these were baked for the page and not written."
                     : "The micromaps as the file holds them.";
     page.sections = std::move(inspection.sections);
-    if (!inspection.summary.notes.empty()) {
-        report::Section notes{"Notes", {}};
-        for (const std::string& note : inspection.summary.notes)
-            notes.blocks.emplace_back(report::Paragraph{note});
-        page.sections.push_back(std::move(notes));
-    }
+    addNotes(inspection.summary.notes, page);
     return page;
 }
 

@@ -14,12 +14,15 @@
 #include "jobs/opacity_input.h"
 #include "jobs/peak_memory.h"
 #include "jobs/psnr.h"
+#include "jobs/render_beside.h"
+#include "jobs/render_page.h"
 #include "jobs/sha256.h"
 #include "jobs/stopwatch.h"
 
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -57,6 +60,17 @@ Status checkNumbers(const RenderOptions& options, Method method) {
 Status checkBackend(const RenderOptions& options) {
     if (options.backend != "cpu" && options.backend != "vulkan")
         return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
+Status checkBeside(const RenderOptions& options) {
+    if (options.beside.empty()) return {};
+    if (options.page.empty()) return Error{ErrorKind::usage, "--beside: goes with --html"};
+    if (options.backend != "cpu")
+        return Error{ErrorKind::unsupported, "--beside: renders on the CPU; leave --backend out"};
+    for (const std::string& name : options.beside) {
+        if (const auto method = findMethod(name, "--beside"); !method) return method.error();
+    }
+    return {};
+}
+
     if (options.backend == "cpu") {
         if (options.device.empty() && options.path.empty()) return {};
         return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan",
@@ -94,8 +108,14 @@ class Rendering {
         summary_.firstSampleSeconds = total_.seconds();
         auto film = rendered(*opacity, !options_.output.empty() && options_.previewSeconds > 0);
         if (!film) return film.error();
-        if (auto written = writePictures(*film); !written) return written.error();
-        summarise(*film, *opacity);
+        films_.push_back({options_.method, std::nullopt, summary_.seconds,
+                          opacity->opacity->bytes(), std::move(*film)});
+        if (hasStates(method_)) films_.front().states = states_;
+        if (auto compared = renderReference(); !compared) return compared.error();
+        summarise();
+        if (auto written = writePage(); !written) return written.error();
+        if (auto written = writePictures(); !written) return written.error();
+        summary_.totalSeconds = total_.seconds();
         return std::move(summary_);
     }
 
@@ -270,10 +290,10 @@ class Rendering {
         return writeFile(file, *png);
     }
 
-    Status writePictures(const trace::Film& film) {
+    Status writePictures() {
+        const trace::Film& film = films_.front().film;
         const scene::ColourImage picture = developed(film);
         summary_.imageSha256 = sha256(picture.rgba);
-        if (film.pixelsHit == 0) note("the camera sees nothing of the scene");
         if (!options_.triptych.empty()) {
             if (auto written = writeTriptych(film, picture); !written) return written;
         }
@@ -293,32 +313,62 @@ class Rendering {
 
     // The same picture once more by the texture alone, which the maps must not change.
     Status writeTriptych(const trace::Film& film, const scene::ColourImage& picture) {
-        const auto reference = makeOpacity(Method::texture, 4, scene_, {}, *world_, executor_);
-        if (!reference) return reference.error();
-        const auto without = rendered(*reference, false);
-        if (!without) return without.error();
-        const scene::ColourImage expected = developed(*without);
-        summary_.triptych = TriptychSummary{without->counters.total().textureFetches,
+        const trace::Film& without = films_[1].film;
+        const scene::ColourImage expected = developed(without);
+        summary_.triptych = TriptychSummary{without.counters.total().textureFetches,
                                             expected.rgba == picture.rgba, psnr(expected, picture)};
         const Canvas canvas =
             triptych(picture, nameOf(method_),
-                     {"alpha tests a sample", without->alphaTests, film.width, film.height, film.samples},
+                     {"alpha tests a sample", without.alphaTests, film.width, film.height, film.samples},
                      {"alpha tests a sample", film.alphaTests, film.width, film.height, film.samples});
         return writeCanvas(options_.triptych, canvas);
     }
 
-    void summarise(const trace::Film& film, const OpacityInput& opacity) {
-        summary_.method = nameOf(method_);
-        if (hasStates(method_)) summary_.states = states_;
+    Status writePage() {
+        if (options_.page.empty()) return {};
+        BakeParameters like = parameters();
+        like.states = states_;
+        BesideRenderer beside(scene_, *world_, settings_, options_.spp, like,
+                              hasLevels(method_) ? &maps_ : nullptr, executor_, progress_);
+        for (const std::string& name : options_.beside) {
+            if (std::ranges::find(films_, name, &MethodFilm::method) != films_.end()) continue;
+            auto made = beside.render(*trace::methodNamed(name));
+            if (!made) return made.error();
+            films_.push_back(std::move(*made));
+        }
+        const auto page = renderPage(options_, summary_, films_);
+        return page ? writeFile(options_.page, report::toHtml(*page)) : page.error();
+    }
+
+    void summarise() {
+        const MethodFilm& made = films_.front();
+        const trace::Film& film = made.film;
+        if (film.pixelsHit == 0) note("the camera sees nothing of the scene");
+        summary_.method = options_.method;
+        summary_.states = made.states;
         summary_.hasLevels = hasLevels(method_);
         summary_.level = maps_.level;
+    Status renderReference() {
+        const bool asks = films_.front().film.counters.total().candidateHits > 0;
+        const bool onPage = !options_.page.empty() && asks;
+        if (!hasStates(method_) || (options_.triptych.empty() && !onPage)) return {};
+        const auto texture = makeOpacity(Method::texture, 4, scene_, {}, *world_, executor_);
+        if (!texture) return texture.error();
+        const Stopwatch watch;
+        auto film = rendered(*texture, false);
+        if (!film) return film.error();
+        films_.push_back({std::string(nameOf(Method::texture)), std::nullopt, watch.seconds(),
+                          texture->opacity->bytes(), std::move(*film)});
+        return {};
+    }
+
         summary_.integrator = options_.integrator;
         summary_.width = film.width;
         summary_.height = film.height;
         summary_.spp = film.samples;
         summary_.counters = film.counters;
         const trace::World::Bytes bytes = world_->bytes();
-        summary_.opacityBytes = opacity.opacity->bytes();
+        summary_.opacityBytes = made.opacityBytes;
         summary_.textureBytes = bytes.textures;
         summary_.geometryBytes = bytes.geometry;
         summary_.bvhBytes = bytes.bvh;
@@ -332,7 +382,6 @@ class Rendering {
             if (summary_.grids) summary_.grids->bytes = onDevice.gridWords + onDevice.gridStructures;
         }
         summary_.peakBytes = peakMemory();
-        summary_.totalSeconds = total_.seconds();
     }
 
     void note(std::string text) { summary_.notes.push_back(std::move(text)); }
@@ -376,6 +425,7 @@ double RenderSummary::mraysPerSecond() const {
 }
 
 Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress) {
+    std::vector<MethodFilm> films_;  // the picture; then the texture's, where it is compared; then others
     if (auto checked = checkFiles(options); !checked) return checked.error();
     const auto method = findMethod(options.method, "--method");
     if (!method) return method.error();
@@ -412,6 +462,7 @@ std::string toJson(const RenderSummary& s) {
                           static_cast<double>(s.grids->bytes) / static_cast<double>(s.grids->triangles)}};
     }
     json["image_sha256"] = s.imageSha256;
+    if (auto checked = checkBeside(options); !checked) return checked.error();
     json["backend"] = s.backend;
     if (!s.device.empty()) {
         json["device"] = s.device;

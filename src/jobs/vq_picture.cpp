@@ -1,6 +1,7 @@
 #include "jobs/vq_picture.h"
 
 #include "filigree/quadmap/place.h"
+#include "filigree/quadmap/transform.h"
 
 #include "jobs/lettering.h"
 #include "jobs/overlay_legend.h"
@@ -84,11 +85,32 @@ VqPanel squarePanel(const Square& source, const Square& map, const std::string& 
     return out;
 }
 
+// As an encoder's words see it: each vector, of 8 x 8, the way its quadrant's transform stores it.
+Square storedWay(const Square& source, unsigned transforms) {
+    const unsigned vector = source.side / 8;
+    Square stored(source.side);
+    for (unsigned y = 0; y < source.side; ++y) {
+        for (unsigned x = 0; x < source.side; ++x) {
+            const unsigned quadrant = 2 * y / source.side * 2 + 2 * x / source.side;
+            const auto transform =
+                static_cast<quadmap::Transform>(quadrant == 0 ? 0 : transforms >> 3 * (quadrant - 1) & 7);
+            const quadmap::Cell cell = quadmap::storedCell(transform, vector, {x % vector, y % vector});
+            stored.at(x - x % vector + cell.x, y - y % vector + cell.y) = source.at(x, y);
+        }
+    }
+    return stored;
+}
+
 std::vector<VqPanel> panelRow(const VqMap& map, const Square& source, std::span<const VqMeasure> shown) {
     std::vector<VqPanel> row;
     row.push_back(squarePanel(source, source,
                               fmt::format("source {}x{}: {:.1f} % known", source.side, source.side,
                                           100 * quadmap::savings(source))));
+    const VqMeasure best = source.side == 16 ? VqMeasure::vq2Best : VqMeasure::vq4Best;
+    if (const auto& result = map.results[indexOf(best)]) {
+        const Square stored = storedWay(source, result->transforms);
+        row.push_back(squarePanel(stored, stored, fmt::format("turned for {}", nameOf(best))));
+    }
     for (const VqMeasure measure : shown) {
         const auto& result = map.results[indexOf(measure)];
         if (!result) continue;
@@ -121,7 +143,7 @@ VqPanels drawPanels(const VqInput& input, const VqMap& map) {
 }
 
 Canvas drawSheet(const VqPanels& panels) {
-    Canvas sheet(5 * panel + 6 * gap, 2 * (panel + gap + caption) + gap, ground);
+    Canvas sheet(6 * panel + 7 * gap, 2 * (panel + gap + caption) + gap, ground);
     for (unsigned row = 0; row < panels.rows.size(); ++row) {
         place(panels.alpha, 0, row, sheet);
         for (unsigned k = 0; k < panels.rows[row].size(); ++k) place(panels.rows[row][k], k + 1, row, sheet);

@@ -21,8 +21,8 @@ struct VqPanel {
 
 struct VqPanels {
     VqPanel alpha;
-    // Of 16 and of 32 regions a side: the square, and it after the paper's, the best and the extended
-    // encoder.
+    // Of 16 and of 32 regions a side: the square, it with each vector turned as the best encoder stores it,
+    // and it after the paper's, the best and the extended encoder.
     std::array<std::vector<VqPanel>, 2> rows;
 };
 

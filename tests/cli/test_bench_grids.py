@@ -55,9 +55,12 @@ class BenchGrids(CliTest):
 
     def test_files_and_methods(self):
         self.write("hill.ply", PLY.encode())
-        rows = self.bench("hill.ply", "--methods", "lattice,paper", "--leak-rays", "0")["rows"]
+        rows = self.bench("hill.ply", "--methods", "lattice,paper", "--leak-rays", "0", "--html", "page.html")["rows"]
         self.assertEqual([(row["scene"], row["triangles"], row["method"]) for row in rows],
                          [("hill.ply", 8, method) for method in ("triangles", "paper", "lattice")])
+        page = (self.folder / "page.html").read_text()
+        for text in ("shuffled rays", "lattice, hill.ply: ", "data-csv=\"hill.ply,paper,8,", "--methods lattice,paper"):
+            self.assertIn(text, page)
 
     def test_usage(self):
         for args, says in ((["--sizes", "3"], "--sizes 3"), (["--methods", "bvh"], "--methods bvh"),

@@ -48,7 +48,10 @@ class BenchTrace(CliTest):
 
     def test_atlas_leaves_the_tests_as_they_were(self):
         args = ["leaf.glb", "--levels", "6", "--states", "4", "--methods", "texture,micromap", "--rays", "primary"]
-        plain = self.rows(*args)
+        plain = self.rows(*args, "--html", "page.html")
+        page = (self.folder / "page.html").read_text()
+        for text in ("leaf.glb: primary rays", "Best against texture", "data-csv=\"leaf.glb,primary,micromap,4,6,"):
+            self.assertIn(text, page)
         packed = self.rows(*args, "--atlas", "256")
         self.assertEqual([row["method"] for row in packed], ["texture", "micromap"])
         for a, b in zip(plain, packed):

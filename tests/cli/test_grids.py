@@ -142,6 +142,18 @@ class Grids(CliTest):
         self.grids("hills.png", "--codec", "paper", "--error-map", "map.png")
         self.assertEqual((self.folder / "map.png").read_bytes()[:4], b"\x89PNG")
 
+    def test_page(self):
+        for name, codec in (("hills.png", "paper"), ("sheet.ply", "lattice")):
+            self.grids(name, "--codec", codec, "--html", "page.html", "--size", "96x54")
+            page = (self.folder / "page.html").read_text()
+            for text in (f"Compressed grids of {name}", "Sub-grids by their error", "error, % of the sub-grid",
+                         "Triangles by the size of their grid", "data-csv=\"total,", "--html page.html"):
+                self.assertIn(text, page)
+            self.assertEqual(page.count("data:image/png;base64,"), 4)
+        self.expect_error(1, "grids", "hills.png", "-o", "x.fil", "--html", "missing/page.html", "--size", "48x27",
+                          says="missing")
+        self.expect_error(2, "grids", "hills.png", "-o", "x.fil", "--size", "0x27", says="0 x 27")
+
     def test_masked_triangles_are_left_out(self):
         self.expect_error(1, "grids", "leaf.glb", "-o", "x.fil", says="no triangles")
 

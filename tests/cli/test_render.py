@@ -98,6 +98,18 @@ class Render(CliTest):
         self.assertGreater(three[0], 3 * 48)
         self.render("--heatmap", "bits.png", "--heatmap-of", "bits", "--preview", "0.001")
 
+    def test_page(self):
+        reference, _ = self.render()
+        result, _ = self.render("--html", "page.html", "--beside", "tree,bitmask,gruen,vq2,texture")
+        self.assertEqual(result["image_sha256"], reference["image_sha256"])
+        page = self.data("page.html").decode()
+        for text in ("Alpha tested by micromap with 4 states", "fewer than with the texture alone", "the same to the bit",
+                     "data-csv=\"bitmask,4,", "data-csv=\"vq2,4,", "alpha tests a sample", "bits a lookup", "--beside tree,"):
+            self.assertIn(text, page)
+        self.assertEqual(page.count("data-csv=\"texture,"), 1)
+        result, _ = self.render("--html", "page.html", "--method", "none")
+        self.assertNotIn("Methods side by side", self.data("page.html").decode())
+
     def test_cameras(self):
         away = "0,0,5,0,0,9,0,1,0,40"
         result, process = self.render("--camera", away)
@@ -136,6 +148,9 @@ class Render(CliTest):
         self.expect_error(2, "render", "in.glb", "-o", "out.bmp", says=".png")
         self.expect_error(2, "render", "in.glb", "-o", "out.png", "--heatmap", "heat.jpg", says=".png")
         self.expect_error(2, "render", "in.glb", says="--output")
+        self.expect_error(2, "render", "in.glb", "-o", "out.png", "--beside", "tree", says="--html")
+        self.expect_error(2, "render", "in.glb", "-o", "out.png", "--html", "p.html", "--beside", "tree,oak", says="oak")
+        self.expect_error(1, "render", "in.glb", "-o", "out.png", *SMALL, "--html", "missing/p.html", says="missing")
 
     def test_bad_input(self):
         self.expect_error(1, "render", "none.glb", "-o", "out.png", says="none.glb")

@@ -99,11 +99,11 @@ TEST(GridErrorMap, ShowsEachSubGrid) {
     grid::GridMesh mesh = grid::box(40, serialExecutor());
     const auto encoded = grid::tests::encoded(mesh, grid::tests::optionsFor(mesh, grid::Codec::paper));
     const auto decoded = grid::decodeGrids(encoded, mesh.grids, 0, serialExecutor());
-    const Canvas map = gridErrorMap(mesh, decoded, {});
+    const Canvas map = gridErrorMap(mesh, decoded, grid::Codec::paper);
     EXPECT_GT(map.width(), 40u);
     EXPECT_TRUE(map.png());
     // Without grids there is still a picture.
-    EXPECT_TRUE(gridErrorMap({}, {}, {}).png());
+    EXPECT_TRUE(gridErrorMap({}, {}, grid::Codec::lattice).png());
 }
 
 // Attributes come back at hits as they were at the vertices.

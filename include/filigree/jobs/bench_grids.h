@@ -4,9 +4,11 @@
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
+#include "filigree/report/table.h"
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct BenchGridsOptions {
     uint64_t leakRays = 10'000'000;    // aimed at a closed torus and a box, in all; 0: none
     uint32_t leakSize = 513;           // vertices a side of the torus, and quads a side of the box
     uint64_t memory = 12'000'000'000;  // bytes that methods may take at once; those beyond race one by one
+    std::filesystem::path page;        // .html with charts and tables; empty: none
 };
 
 // Speeds are medians over rounds in which all methods take turns on one thread, in CPU time. Embree is asked
@@ -67,6 +70,10 @@ struct BenchGridsSummary {
 
 Result<BenchGridsSummary> benchGrids(const BenchGridsOptions& options, const Executor& executor,
                                      ProgressSink& progress);
+
+// A row a scene and method; a row a closed shape and method.
+report::Table benchGridsTable(const BenchGridsSummary& summary);
+report::Table benchLeaksTable(const BenchGridsSummary& summary);
 
 // The machine-readable result: one JSON object.
 std::string toJson(const BenchGridsSummary& summary);

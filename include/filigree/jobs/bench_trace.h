@@ -6,6 +6,7 @@
 #include "filigree/core/result.h"
 #include "filigree/jobs/bake.h"
 #include "filigree/jobs/render.h"
+#include "filigree/report/table.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -27,9 +28,10 @@ struct BenchTraceOptions {
     // Nothing, unlike in render: the file's first camera, or without one a place from which rays meet many
     // alpha tests.
     CameraChoice camera;
-    bool overview = false;      // without a camera look as render does
-    uint32_t atlas = 0;         // texels a side; 0: textures stay as they are
-    BakeParameters parameters;  // when a state is known; states and level are those above
+    bool overview = false;       // without a camera look as render does
+    uint32_t atlas = 0;          // texels a side; 0: textures stay as they are
+    BakeParameters parameters;   // when a state is known; states and level are those above
+    std::filesystem::path page;  // .html with charts and tables; empty: none
 };
 
 // Medians over the rounds, in which all methods and levels take turns on one thread.
@@ -57,6 +59,9 @@ struct BenchTraceSummary {
 // ErrorKind::format when a method that must find the same hits as the texture finds others.
 Result<BenchTraceSummary> benchTrace(const BenchTraceOptions& options, const Executor& executor,
                                      ProgressSink& progress);
+
+// A row for each of the summary.
+report::Table benchTraceTable(const BenchTraceSummary& summary);
 
 // The machine-readable result: one JSON object.
 std::string toJson(const BenchTraceSummary& summary);

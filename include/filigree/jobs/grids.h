@@ -42,6 +42,9 @@ struct GridsOptions {
     bool attributes = true;             // keep normals, texture coordinates and sources
     bool zstd = false;                  // compress each section of the file that becomes smaller
     std::filesystem::path errorMap;     // PNG of the error of each sub-grid; empty: none
+    std::filesystem::path page;         // .html with pictures, charts and tables; empty: none
+    uint32_t width = 960;               // pixels of its pictures
+    uint32_t height = 540;
 };
 
 struct GridsSummary {

@@ -4,6 +4,7 @@
 #include "filigree/core/executor.h"
 #include "filigree/core/progress.h"
 #include "filigree/core/result.h"
+#include "filigree/report/table.h"
 #include "filigree/trace/counters.h"
 
 #include <array>
@@ -53,8 +54,10 @@ struct RenderOptions {
     bool twoStateShadows = false;
     std::filesystem::path heatmap;  // .png; empty: none
     HeatmapOf heatmapOf = HeatmapOf::tests;
-    std::filesystem::path triptych;  // .png; empty: none
-    double previewSeconds = 0;       // 0: none
+    std::filesystem::path triptych;   // .png; empty: none
+    std::filesystem::path page;       // .html with picture, heat maps and tables; empty: none
+    std::vector<std::string> beside;  // other methods that the page sets beside `method`
+    double previewSeconds = 0;        // 0: none
     // "cpu", or "vulkan": a device, which `device` names by number or part of its name; empty: the best.
     std::string backend = "cpu";
     std::string device;
@@ -113,3 +116,6 @@ Result<RenderSummary> render(const RenderOptions& options, const Executor& execu
 std::string toJson(const RenderSummary& summary);
 
 }  // namespace filigree::jobs
+// What the rays of each kind cost.
+report::Table rayTable(const RenderSummary& summary);
+
