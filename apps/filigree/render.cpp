@@ -77,9 +77,6 @@ void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--triptych", options.triptych,
                     "Draw the picture and the alpha tests without and with maps side by side to this PNG")
         ->type_name("FILE");
-    verb.add_option("--preview", options.previewSeconds,
-                    "Write the picture so far about every so many seconds, between samples")
-        ->type_name("SECONDS");
     verb.add_option("--html", options.page,
                     "A page with the picture, heat maps without and with maps, and tables")
         ->type_name("FILE");
@@ -87,6 +84,9 @@ void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
                     "Other methods for the page to set beside this one, with commas between them")
         ->delimiter(',')
         ->type_name("NAMES");
+    verb.add_option("--preview", options.previewSeconds,
+                    "Write the picture so far about every so many seconds, between samples")
+        ->type_name("SECONDS");
 }
 
 std::string comparison(const jobs::RenderSummary& s) {

@@ -57,9 +57,6 @@ Status checkNumbers(const RenderOptions& options, Method method) {
     return {};
 }
 
-Status checkBackend(const RenderOptions& options) {
-    if (options.backend != "cpu" && options.backend != "vulkan")
-        return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
 Status checkBeside(const RenderOptions& options) {
     if (options.beside.empty()) return {};
     if (options.page.empty()) return Error{ErrorKind::usage, "--beside: goes with --html"};
@@ -71,6 +68,9 @@ Status checkBeside(const RenderOptions& options) {
     return {};
 }
 
+Status checkBackend(const RenderOptions& options) {
+    if (options.backend != "cpu" && options.backend != "vulkan")
+        return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
     if (options.backend == "cpu") {
         if (options.device.empty() && options.path.empty()) return {};
         return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan",
@@ -108,8 +108,8 @@ class Rendering {
         summary_.firstSampleSeconds = total_.seconds();
         auto film = rendered(*opacity, !options_.output.empty() && options_.previewSeconds > 0);
         if (!film) return film.error();
-        films_.push_back({options_.method, std::nullopt, summary_.seconds,
-                          opacity->opacity->bytes(), std::move(*film)});
+        films_.push_back(
+            {options_.method, std::nullopt, summary_.seconds, opacity->opacity->bytes(), std::move(*film)});
         if (hasStates(method_)) films_.front().states = states_;
         if (auto compared = renderReference(); !compared) return compared.error();
         summarise();
@@ -312,6 +312,20 @@ class Rendering {
     }
 
     // The same picture once more by the texture alone, which the maps must not change.
+    Status renderReference() {
+        const bool asks = films_.front().film.counters.total().candidateHits > 0;
+        const bool onPage = !options_.page.empty() && asks;
+        if (!hasStates(method_) || (options_.triptych.empty() && !onPage)) return {};
+        const auto texture = makeOpacity(Method::texture, 4, scene_, {}, *world_, executor_);
+        if (!texture) return texture.error();
+        const Stopwatch watch;
+        auto film = rendered(*texture, false);
+        if (!film) return film.error();
+        films_.push_back({std::string(nameOf(Method::texture)), std::nullopt, watch.seconds(),
+                          texture->opacity->bytes(), std::move(*film)});
+        return {};
+    }
+
     Status writeTriptych(const trace::Film& film, const scene::ColourImage& picture) {
         const trace::Film& without = films_[1].film;
         const scene::ColourImage expected = developed(without);
@@ -348,20 +362,6 @@ class Rendering {
         summary_.states = made.states;
         summary_.hasLevels = hasLevels(method_);
         summary_.level = maps_.level;
-    Status renderReference() {
-        const bool asks = films_.front().film.counters.total().candidateHits > 0;
-        const bool onPage = !options_.page.empty() && asks;
-        if (!hasStates(method_) || (options_.triptych.empty() && !onPage)) return {};
-        const auto texture = makeOpacity(Method::texture, 4, scene_, {}, *world_, executor_);
-        if (!texture) return texture.error();
-        const Stopwatch watch;
-        auto film = rendered(*texture, false);
-        if (!film) return film.error();
-        films_.push_back({std::string(nameOf(Method::texture)), std::nullopt, watch.seconds(),
-                          texture->opacity->bytes(), std::move(*film)});
-        return {};
-    }
-
         summary_.integrator = options_.integrator;
         summary_.width = film.width;
         summary_.height = film.height;
@@ -401,6 +401,7 @@ class Rendering {
     std::optional<trace::World> world_;  // of both
     std::optional<DeviceScene> device_;  // none: the CPU renders
     SceneMaps maps_;
+    std::vector<MethodFilm> films_;  // the picture; then the texture's, where it is compared; then others
     RenderSummary summary_;
 };
 
@@ -425,7 +426,6 @@ double RenderSummary::mraysPerSecond() const {
 }
 
 Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress) {
-    std::vector<MethodFilm> films_;  // the picture; then the texture's, where it is compared; then others
     if (auto checked = checkFiles(options); !checked) return checked.error();
     const auto method = findMethod(options.method, "--method");
     if (!method) return method.error();
@@ -436,6 +436,7 @@ Result<RenderSummary> render(const RenderOptions& options, const Executor& execu
     }
     if (auto checked = checkNumbers(options, *method); !checked) return checked.error();
     if (auto checked = checkBackend(options); !checked) return checked.error();
+    if (auto checked = checkBeside(options); !checked) return checked.error();
     if (auto checked = trace::checkSize(options.width, options.height); !checked) return checked.error();
     return Rendering(options, *method, *integrator, executor, progress).run();
 }
@@ -462,7 +463,6 @@ std::string toJson(const RenderSummary& s) {
                           static_cast<double>(s.grids->bytes) / static_cast<double>(s.grids->triangles)}};
     }
     json["image_sha256"] = s.imageSha256;
-    if (auto checked = checkBeside(options); !checked) return checked.error();
     json["backend"] = s.backend;
     if (!s.device.empty()) {
         json["device"] = s.device;

@@ -112,10 +112,10 @@ struct RenderSummary {
 // ErrorKind::usage for options out of range and methods that are not there.
 Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress);
 
+// What the rays of each kind cost.
+report::Table rayTable(const RenderSummary& summary);
+
 // The machine-readable result: one JSON object.
 std::string toJson(const RenderSummary& summary);
 
 }  // namespace filigree::jobs
-// What the rays of each kind cost.
-report::Table rayTable(const RenderSummary& summary);
-
