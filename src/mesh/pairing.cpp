@@ -124,8 +124,7 @@ class Pairer {
             return std::pair(a.first.apex, a.second.apex) < std::pair(b.first.apex, b.second.apex);
         });
         const auto same = [&](const Meeting& a, const Meeting& b) { return triangles(a) == triangles(b); };
-        const auto rest = std::ranges::unique(meetings_, same);
-        meetings_.erase(rest.begin(), rest.end());
+        meetings_.erase(std::unique(meetings_.begin(), meetings_.end(), same), meetings_.end());
     }
 
     [[nodiscard]] Meeting meeting(const Side& a, const Side& b) const {
