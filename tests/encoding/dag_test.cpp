@@ -1,5 +1,6 @@
-#include "filigree/core/bytes.h"
 #include "filigree/encoding/dag.h"
+
+#include "filigree/core/bytes.h"
 
 #include "encoding/dag_layout.h"
 #include "encoding/reader_of.h"
