@@ -22,37 +22,8 @@ struct Block {
     uint32_t bd = 0;                                     // which have Diagonal::bd
 };
 
-// What decoding a tile's blocks takes, ready for vectors: the header's fields, and where blocks begin.
-struct TilePlan {
-    // Of each class and then the coarse vertices, in the lanes of one vector: x, y, z four times each, and
-    // four zeros. Biases are eighths of 2^width.
-    alignas(16) std::array<std::array<uint8_t, 16>, residualClasses + 1> widths;
-    alignas(16) std::array<std::array<uint8_t, 16>, residualClasses + 1> biases;
-    // Like them: by how much 1/256 of the dominant residual counts, and how that grows.
-    alignas(64) std::array<int32_t, 16> slope;
-    alignas(16) std::array<int8_t, 16> slopePerColumn;
-    alignas(16) std::array<int8_t, 16> slopePerRow;
-    std::array<uint32_t, 16> inside;  // [block], in bits: where the inside of a block begins
-    // In bits: of a vertex of the classes inside blocks, [drop][class - insideCentre].
-    std::array<std::array<uint16_t, 3>, 4> insideBits;
-    std::array<uint8_t, 16> drops;  // [block], as stored
-    uint32_t bits;                  // in bytes of the record: where the bit string begins
-    uint32_t coarse;                // in bits from there
-    uint32_t edgeMids;
-    uint32_t edgeQuarters;
-    uint16_t edgeMidBits;  // of a vertex
-    uint16_t edgeQuarterBits;
-    uint16_t coarseBits;
-    uint8_t columns, rows;  // quads
-    uint8_t curve;
-    uint8_t dominant;
-    uint8_t isSheared;
-    uint8_t isNarrow;  // one load holds a vertex of any class
-};
-
 // The corners of a tile's blocks as such a patch, and their boxes.
 struct TileBlocks {
-    TilePlan plan;
     alignas(64) std::array<PatchAxis<int32_t>, 3> points;  // [axis]
     alignas(64) std::array<std::array<float, 16>, 3> low;  // [axis][block]
     alignas(64) std::array<std::array<float, 16>, 3> high;

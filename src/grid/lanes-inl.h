@@ -191,13 +191,45 @@ HWY_INLINE I16 loadBytes(const uint8_t* from) {
     return result;
 }
 
-// The 4 bytes at four places of `base`, in every block.
-HWY_INLINE I16 gatherFour(const uint8_t* base, const std::array<uint32_t, 4>& at) {
-    alignas(16) const std::array<int32_t, 4> words{static_cast<int32_t>(loadLe<uint32_t>(base + at[0])),
-                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[1])),
-                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[2])),
-                                                   static_cast<int32_t>(loadLe<uint32_t>(base + at[3]))};
+// The 4 bytes at four places of `base`, of vectors that are the same in every block.
+HWY_INLINE I16 gatherFour(const uint8_t* base, const I16& places) {
+#if HWY_TARGET <= HWY_AVX3
+    const auto words = _mm_i32gather_epi32(reinterpret_cast<const int*>(base),
+                                           _mm512_castsi512_si128(places.parts[0].raw), 1);
+    I16 result;
+    result.parts[0] = hn::VFromD<I16::Tag>{_mm512_broadcast_i32x4(words)};
+    return result;
+#else
+    alignas(64) std::array<int32_t, 16> at;
+    store(places, at.data());
+    alignas(16) std::array<int32_t, 4> words;
+    for (size_t k = 0; k < 4; ++k)
+        words[k] = static_cast<int32_t>(loadLe<uint32_t>(base + static_cast<uint32_t>(at[k])));
     return loadBlocks(words.data());
+#endif
+}
+
+// Of vectors that are the same in every block: lane k in all of block k.
+HWY_INLINE I16 spread(const I16& values) {
+    I16 result;
+#if HWY_TARGET == HWY_SCALAR
+    for (size_t k = 0; k < 16; ++k) result.parts[k] = values.parts[k / 4];
+#else
+    struct Table {
+        alignas(64) std::array<uint8_t, 64> bytes;
+    };
+    static constexpr Table table = [] {
+        Table of{};
+        for (size_t k = 0; k < 64; ++k) of.bytes[k] = static_cast<uint8_t>(4 * (k / 16) + k % 4);
+        return of;
+    }();
+    for (size_t k = 0; k < I16::partCount; ++k) {
+        const auto lanes =
+            hn::LoadU(hn::Repartition<uint8_t, I16::Tag>(), table.bytes.data() + 4 * I16::partLanes * k);
+        result.parts[k] = hn::TableLookupBytes(values.parts[k], hn::BitCast(I16::Tag(), lanes));
+    }
+#endif
+    return result;
 }
 
 }  // namespace filigree::grid::HWY_NAMESPACE

@@ -18,12 +18,22 @@ namespace filigree::grid::HWY_NAMESPACE {
 // from (0, 0).
 using Four = I16;
 
-// Lanes of a vector by what they hold of it.
-struct LaneTables {
-    alignas(64) std::array<int32_t, 16> lastAxis, axisBeforeLast;  // of the 0 behind z where there is none
+// Of four lanes, in every block.
+struct FourLanes {
+    alignas(16) std::array<int32_t, 4> of;
+    [[nodiscard]] HWY_INLINE I16 all() const { return loadBlocks(of.data()); }
 };
-inline constexpr LaneTables laneTables{{12, 12, 12, 12, 0, 0, 0, 0, 4, 4, 4, 4, 8, 8, 8, 8},
-                                       {12, 12, 12, 12, 12, 12, 12, 12, 0, 0, 0, 0, 4, 4, 4, 4}};
+inline constexpr FourLanes axisFields{{31, 31, 31, 0}};
+inline constexpr FourLanes behindFirst{{0, -1, -1, -1}};
+inline constexpr FourLanes behindSecond{{0, 0, -1, -1}};
+inline constexpr FourLanes diagonalShifts{{0, 5, 10, 0}};
+inline constexpr std::array<FourLanes, 3> onAxis{{{{-1, 0, 0, 0}}, {{0, -1, 0, 0}}, {{0, 0, -1, 0}}}};
+
+// The fields of a vertex on the axes, x, y, z and nothing in every block of the vectors.
+struct VertexFields {
+    I16 width, bias;
+    unsigned bits;  // all together
+};
 
 // Reads residuals of fours of vertices.
 class ResidualReader {
@@ -31,54 +41,81 @@ class ResidualReader {
     // Vertex (0, 0) of the patch stands at (x, y) of the tile's frame, and `stride` lies between its places.
     HWY_INLINE ResidualReader(const uint8_t* record, const TilePlan& plan, int32_t x, int32_t y,
                               int32_t stride)
-        : plan_(plan), bits_(record + plan.bits), stride_(stride) {
-        if (plan.isSheared == 0) return;
-        const I16 perColumn = loadSignedBytes(plan.slopePerColumn.data());
-        const I16 perRow = loadSignedBytes(plan.slopePerRow.data());
-        slope_ = load(plan.slope.data()) + perColumn * all(x - 8) + perRow * all(y - 8);
-        perColumn_ = perColumn * all(stride);
-        perRow_ = perRow * all(stride);
+        : plan_(plan),
+          bits_(record + plan.bits),
+          words_(loadBlocks(reinterpret_cast<const int32_t*>(record + 20))),
+          diagonalWord_(loadLe<uint32_t>(record + 32)),
+          shear_(loadLe<uint32_t>(record + 36)),
+          dominant_(fieldOf(loadLe<uint32_t>(record + 4), 26, 2)) {
+        if (shear_ == 0) return;
+        const auto minors = minorAxes(dominant_);
+        alignas(16) std::array<int32_t, 4> slope{}, perColumn{}, perRow{};
+        for (unsigned m = 0; m < 2; ++m) {
+            perColumn[minors[m]] = signedFieldOf(shear_, 16 * m + 6, 5);
+            perRow[minors[m]] = signedFieldOf(shear_, 16 * m + 11, 5);
+            slope[minors[m]] = 8 * signedFieldOf(shear_, 16 * m, 6) + perColumn[minors[m]] * (x - 8) +
+                               perRow[minors[m]] * (y - 8);
+            perColumn[minors[m]] *= stride;
+            perRow[minors[m]] *= stride;
+        }
+        slope_ = spread(loadBlocks(slope.data()));
+        perColumn_ = spread(loadBlocks(perColumn.data()));
+        perRow_ = spread(loadBlocks(perRow.data()));
     }
 
-    HWY_INLINE Four read(unsigned four, unsigned fieldClass, unsigned drop,
-                         const std::array<uint32_t, 4>& places) const {
-        const I16 none = all(0), one = all(1);
-        const I16 width =
-            greatest(loadBytes(plan_.widths[fieldClass].data()) - all(static_cast<int32_t>(drop)), none);
-        const I16 before = pick(width, none, laneTables.lastAxis.data()) +
-                           pick(width, none, laneTables.axisBeforeLast.data());
-        const I16 at = loadBlocks(reinterpret_cast<const int32_t*>(places.data()));
+    // Of fields without a class, at `field` of words 5 to 7.
+    [[nodiscard]] HWY_INLINE VertexFields fieldsAt(unsigned field) const {
+        const I16 width = shiftRightBy(words_, all(static_cast<int32_t>(field))) & axisFields.all();
+        return {width, shiftRight<3>(shiftLeftBy(axisFields.all() & all(4), width)),
+                plan_.vertexBitsAt(field)};
+    }
+    [[nodiscard]] HWY_INLINE VertexFields fieldsOf(ResidualClass c, unsigned drop) const {
+        const I16 wide = c == insideDiagonal
+                             ? shiftRightBy(all(static_cast<int32_t>(diagonalWord_)), diagonalShifts.all())
+                             : shiftRightBy(words_, all(static_cast<int32_t>(fieldOfClass(c))));
+        const I16 width = greatest((wide & axisFields.all()) - all(static_cast<int32_t>(drop)), all(0));
+        const auto more = static_cast<int32_t>(fieldOf(diagonalWord_, 15 + 3 * c, 3)) - 4;
+        const I16 bias = (axisFields.all() & all(4)) + (onAxis[dominant_].all() & all(more));
+        return {width, shiftRight<3>(shiftLeftBy(bias, width)), plan_.vertexBitsOf(c, drop)};
+    }
+
+    // The vertices whose fields begin at `places`, the same in every block.
+    HWY_INLINE Four read(unsigned four, const VertexFields& fields, const I16& places) const {
+        const Four residual = readPlain(fields, places);
+        return shear_ == 0 ? residual : sheared(four, residual);
+    }
+    HWY_INLINE Four readPlain(const VertexFields& fields, const I16& places) const {
+        const I16& width = fields.width;
+        const I16 before = spread((turned<0, 0, 1, 2>(width) & behindFirst.all()) +
+                                  (turned<0, 0, 0, 1>(width) & behindSecond.all()));
+        const I16 mask = spread(shiftLeftBy(all(1), width) - all(1));
         I16 words;
-        if (plan_.isNarrow != 0) {
-            words =
-                shiftRightBy(gatherFour(bits_, {places[0] / 8, places[1] / 8, places[2] / 8, places[3] / 8}),
-                             (at & all(7)) + before);
+        if (fields.bits <= 25) {
+            // With up to 7 bits before them in one word.
+            words = shiftRightBy(gatherFour(bits_, shiftRight<3>(places)), (places & all(7)) + before);
         } else {
-            const I16 bit = at + before;
+            const I16 bit = places + before;
             words = shiftRightBy(gather(bits_, shiftRight<3>(bit)), bit & all(7));
         }
-        const I16 bias = shiftRight<3>(shiftLeftBy(loadBytes(plan_.biases[fieldClass].data()), width));
-        const Four residual = (words & (shiftLeftBy(one, width) - one)) - bias;
-        return plan_.isSheared == 0 ? residual : sheared(four, residual);
+        return (words & mask) - spread(fields.bias);
     }
 
   private:
     HWY_INLINE Four sheared(unsigned four, const Four& residual) const {
         alignas(64) std::array<int32_t, 16> kept;
         store(residual, kept.data());
-        const I16 main = loadBlocks(kept.data() + size_t{4} * plan_.dominant);
+        const I16 main = loadBlocks(kept.data() + size_t{4} * dominant_);
         const I16 slope = slope_ + perColumn_ * loadBlocks(fourPlaces.x[four].data()) +
                           perRow_ * loadBlocks(fourPlaces.y[four].data());
         return residual + shiftRight<8>(slope * main + all(128));
     }
-    static HWY_INLINE I16 loadSignedBytes(const int8_t* from) {
-        const I16 bytes = loadBytes(reinterpret_cast<const uint8_t*>(from));
-        return shiftRight<24>(shiftLeft<24>(bytes));
-    }
 
     const TilePlan& plan_;
     const uint8_t* bits_;
-    int32_t stride_;
+    I16 words_;  // 5 to 8
+    uint32_t diagonalWord_;
+    uint32_t shear_;
+    unsigned dominant_;
     I16 slope_, perColumn_, perRow_;
 };
 
@@ -105,10 +142,15 @@ HWY_INLINE Four bent(const Four& two, const Four& end, const Four& other, const 
 struct PatchFours {
     Four corners, mids, low, high, crosses, diagonals, centre;
 
+    // Of 4 x 4 steps.
+    HWY_INLINE PatchFours(const Four& patchCorners, const PatchResiduals& residuals, unsigned curve)
+        : corners(patchCorners) {
+        const I16 bend = all(static_cast<int32_t>(curve));
+        predict<true>(residuals, bend, bend, all(0), all(0));
+    }
     HWY_INLINE PatchFours(const Four& patchCorners, const PatchResiduals& residuals, unsigned columns,
                           unsigned rows, unsigned curve)
         : corners(patchCorners) {
-        const auto& r = residuals;
         const auto isThird = [](unsigned steps) { return steps == 3 ? -1 : 0; };
         const auto curveOf = [&](unsigned steps) { return static_cast<int32_t>(steps == 4 ? curve : 0); };
         alignas(16) const std::array<int32_t, 4> curves{curveOf(columns), curveOf(rows), curveOf(columns),
@@ -117,22 +159,7 @@ struct PatchFours {
         alignas(16) const std::array<int32_t, 4> thirds{isThird(columns), isThird(rows), isThird(columns),
                                                         isThird(rows)};
         const I16 along = loadBlocks(thirds.data());
-        const I16 across = turned<1, 0, 1, 0>(along);
-        // Ends of the edges, from the left or the top.
-        const Four from = turned<0, 1, 3, 0>(corners), to = turned<1, 2, 2, 3>(corners);
-        const Four guessed = midOf(from, to, along);
-        mids = wrappedFour(guessed + r[PatchFour::edgeMids]);
-        const Four bend = bent(mids, from, to, bendAlong);
-        low = wrappedFour(halfOf(from, mids) + bend + r[lowQuarters]);
-        high = wrappedFour(halfOf(mids, to) + bend + r[highQuarters]);
-        // Lane 0 from the top down, lane 3 from left to right.
-        const Four between = midOf(mids, turned<2, 3, 0, 1>(mids), across);
-        const Four guess = midOf(guessed, turned<2, 3, 0, 1>(guessed), across);
-        const Four sum = turned<0, 0, 0, 0>(between) + turned<3, 3, 3, 3>(between);
-        centre = wrappedFour(sum - turned<0, 0, 0, 0>(guess) + r[middle]);
-        const Four turn = bent(centre, mids, turned<2, 3, 0, 1>(mids), turned<1, 0, 1, 0>(bendAlong));
-        crosses = wrappedFour(halfOf(centre, mids) + turn + r[PatchFour::crosses]);
-        setDiagonals(r[PatchFour::diagonals]);
+        predict<false>(residuals, bendAlong, turned<1, 0, 1, 0>(bendAlong), along, turned<1, 0, 1, 0>(along));
     }
 
     // Vacant places repeat others.
@@ -140,6 +167,29 @@ struct PatchFours {
     void storeLanes(std::array<PatchAxis<int32_t>, 3>& to) const;
 
   private:
+    // `along` and `across`: all bits set in lanes whose line has three steps.
+    template <bool whole>
+    HWY_INLINE void predict(const PatchResiduals& r, const I16& bendAlong, const I16& bendAcross,
+                            const I16& along, const I16& across) {
+        // Ends of the edges, from the left or the top.
+        const Four from = turned<0, 1, 3, 0>(corners), to = turned<1, 2, 2, 3>(corners);
+        const auto mid = [](const Four& p, const Four& q, const I16& thirds)
+                             HWY_ATTR { return whole ? halfOf(p, q) : midOf(p, q, thirds); };
+        const Four guessed = mid(from, to, along);
+        mids = wrappedFour(guessed + r[PatchFour::edgeMids]);
+        const Four bend = bent(mids, from, to, bendAlong);
+        low = wrappedFour(halfOf(from, mids) + bend + r[lowQuarters]);
+        high = wrappedFour(halfOf(mids, to) + bend + r[highQuarters]);
+        // Lane 0 from the top down, lane 3 from left to right.
+        const Four between = mid(mids, turned<2, 3, 0, 1>(mids), across);
+        const Four guess = mid(guessed, turned<2, 3, 0, 1>(guessed), across);
+        const Four sum = turned<0, 0, 0, 0>(between) + turned<3, 3, 3, 3>(between);
+        centre = wrappedFour(sum - turned<0, 0, 0, 0>(guess) + r[middle]);
+        const Four turn = bent(centre, mids, turned<2, 3, 0, 1>(mids), bendAcross);
+        crosses = wrappedFour(halfOf(centre, mids) + turn + r[PatchFour::crosses]);
+        setDiagonals(r[PatchFour::diagonals]);
+    }
+
     // Diagonal k stands at corner k, between the edges that meet there.
     HWY_INLINE void setDiagonals(const Four& residual) {
         const auto blend = [](const Four& upper, const Four& lower) {
@@ -252,86 +302,114 @@ inline void PatchFours::storeLanes(std::array<PatchAxis<int32_t>, 3>& to) const 
 }
 
 // The tile's corners, clockwise.
-inline Four tileCorners(const TileHeader& head, const uint8_t* bits) {
-    alignas(64) std::array<int32_t, 16> corners{};
-    uint32_t at = 0;
-    const auto take = [&](unsigned width) {
-        const auto field =
-            static_cast<int32_t>(loadLe<uint32_t>(bits + at / 8) >> at % 8 & ((1U << width) - 1));
-        at += width;
-        return field - biasOf(evenBias, width);
-    };
-    std::array<std::array<int32_t, 3>, 3> residual{};  // right, below, last
-    for (auto& corner : residual)
-        for (unsigned k = 0; k < 3; ++k) corner[k] = take(head.cornerWidth[k]);
-    for (unsigned k = 0; k < 3; ++k) {
-        const auto base = static_cast<int32_t>(head.base[k]);
-        const int32_t right = wrappedPoint(base + residual[0][k]);
-        const int32_t below = wrappedPoint(base + residual[1][k]);
-        corners[4 * k] = base;
-        corners[4 * k + 1] = right;
-        corners[4 * k + 2] = wrappedPoint(right + below - base + residual[2][k]);
-        corners[4 * k + 3] = below;
+HWY_INLINE Four tileCorners(const uint8_t* record, const ResidualReader& reader) {
+    static constexpr FourLanes order{{0, 1, 2, 2}};
+    static constexpr FourLanes third{{0, 0, -1, 0}};
+    const VertexFields fields = reader.fieldsAt(0);
+    // Right, below, last.
+    const Four r = reader.readPlain(fields, order.all() * all(static_cast<int32_t>(fields.bits)));
+    const Four last = turned<1, 1, 1, 1>(r) + turned<2, 2, 2, 2>(r);
+    const Four base = spread(loadBlocks(reinterpret_cast<const int32_t*>(record + 8)));
+    return wrappedFour(base + (turned<0, 0, 0, 1>(r) & behindFirst.all()) + (last & third.all()));
+}
+
+// What the record says of the boxes of blocks, by their places.
+struct BlockReaches {
+    I16 low, high;
+};
+HWY_INLINE BlockReaches reachesOf(const uint8_t* record, uint32_t blocks, unsigned columns, unsigned rows) {
+    I16 bytes;
+    if (blocks == 0xffff) {
+        bytes = loadBytes(record + tileHeaderBytes);
+    } else {
+        alignas(16) std::array<uint8_t, 16> placed{};
+        for (unsigned k = 0; k < 16; ++k) {
+            if ((blocks >> k & 1) != 0)
+                placed[k] = record[tileHeaderBytes + stepsAtPlaces[rows][k / 4] * columns +
+                                   stepsAtPlaces[columns][k % 4]];
+        }
+        bytes = loadBytes(placed.data());
     }
-    return load(corners.data());
+    return {shiftRight<2>(bytes) & all(7), shiftRight<5>(bytes)};
 }
 
 // Widens the boxes of the blocks' corners by what the record says.
-inline void setBoxes(const uint8_t* record, const TileHeader& head, TileBlocks& tile) {
-    alignas(64) std::array<int32_t, 16> lows{}, highs{};
-    for (unsigned k = 0; k < 16; ++k) {
-        if ((tile.blocks >> k & 1) == 0) continue;
-        const unsigned i = stepsAtPlaces[head.blockColumns()][k % 4];
-        const unsigned j = stepsAtPlaces[head.blockRows()][k / 4];
-        const uint8_t block = record[tileHeaderBytes + j * head.blockColumns() + i];
-        lows[k] = static_cast<int32_t>(lowReachOf(block));
-        highs[k] = static_cast<int32_t>(highReachOf(block));
-    }
-    const I16 low = load(lows.data()), high = load(highs.data()), both = greatest(low, high);
+inline void setBoxes(const uint8_t* record, const BlockReaches& reaches, TileBlocks& tile) {
+    const I16 both = greatest(reaches.low, reaches.high);
+    const unsigned dominant = fieldOf(loadLe<uint32_t>(record + 4), 26, 2);
     for (unsigned axis = 0; axis < 3; ++axis) {
         const I16 first = load(tile.points[axis].data()), second = load(tile.points[axis].data() + 16);
         const I16 a = pick(first, second, quadCorners.a.data()),
                   b = pick(first, second, quadCorners.b.data());
         const I16 c = pick(first, second, quadCorners.c.data()),
                   d = pick(first, second, quadCorners.d.data());
-        const I16 unit = all(static_cast<int32_t>(reachUnit(head.reach[axis])));
-        const bool isMain = axis == head.dominant;
+        const I16 unit = all(static_cast<int32_t>(reachUnit(record[11 + 4 * axis])));
+        const bool isMain = axis == dominant;
         // Clamped, so that floats hold them exactly.
-        const I16 least4 = least(least(a, b), least(c, d)) - unit * (isMain ? low : both);
-        const I16 most4 = greatest(greatest(a, b), greatest(c, d)) + unit * (isMain ? high : both);
+        const I16 least4 = least(least(a, b), least(c, d)) - unit * (isMain ? reaches.low : both);
+        const I16 most4 = greatest(greatest(a, b), greatest(c, d)) + unit * (isMain ? reaches.high : both);
         store(toFloat(greatest(least4, all(0))), tile.low[axis].data());
         store(toFloat(least(most4, all(latticeLimit))), tile.high[axis].data());
     }
 }
 
 inline void decodeTileBlocks(const uint8_t* record, TileBlocks& tile) {
-    const TileHeader head = loadTileHeader(record);
-    tile.plan = tilePlan(record, head);
-    const unsigned columns = head.blockColumns(), rows = head.blockRows();
-    const ResidualReader reader(record, tile.plan, 0, 0, 4);
+    const TilePlan plan(record);
+    const unsigned columns = blocksOf(plan.columns), rows = blocksOf(plan.rows);
+    const ResidualReader reader(record, plan, 0, 0, 4);
+    const VertexFields fields = reader.fieldsAt(coarseField);
+    const I16 first = all(static_cast<int32_t>(plan.coarse)), bits = all(static_cast<int32_t>(fields.bits));
     PatchResiduals residuals;
-    for (unsigned four = 0; four < patchFours; ++four) {
-        std::array<uint32_t, 4> places{};
-        for (unsigned k = 0; k < 4; ++k)
-            places[k] = tile.plan.coarse + tile.plan.coarseBits * coarseFields[columns][rows][four][k];
-        residuals[four] = reader.read(four, coarseClass, 0, places);
+    for (unsigned four = 0; four < patchFours; ++four)
+        residuals[four] = reader.read(
+            four, fields, first + bits * loadBlocks(coarseFieldLanes[columns][rows][four].data()));
+    const Four corners = tileCorners(record, reader);
+    if (columns == 4 && rows == 4) {
+        PatchFours(corners, residuals, 0).storePatch(tile.points, 4, 4);
+    } else {
+        PatchFours(corners, residuals, columns, rows, 0).storePatch(tile.points, columns, rows);
     }
-    const PatchFours fours(tileCorners(head, record + tile.plan.bits), residuals, columns, rows, 0);
-    fours.storePatch(tile.points, columns, rows);
     tile.blocks = stepMask(columns, rows);
-    setBoxes(record, head, tile);
+    setBoxes(record, reachesOf(record, tile.blocks, columns, rows), tile);
 }
 
 // The corners of a block, clockwise; `first` is where the first stands.
 HWY_INLINE Four blockCorners(const TileBlocks& tile, unsigned first) {
-    alignas(64) std::array<int32_t, 16> corners{};
-    for (unsigned k = 0; k < 3; ++k) {
-        corners[4 * k] = tile.points[k][first];
-        corners[4 * k + 1] = tile.points[k][first + 1];
-        corners[4 * k + 2] = tile.points[k][first + 6];
-        corners[4 * k + 3] = tile.points[k][first + 5];
-    }
-    return load(corners.data());
+    struct Table {
+        alignas(64) std::array<int32_t, 16> bytes;
+    };
+    static constexpr Table table{{0, 4, 24, 20, 128, 132, 152, 148, 256, 260, 280, 276, 0, 0, 0, 0}};
+    return gather(reinterpret_cast<const uint8_t*>(tile.points[0].data() + first), load(table.bytes.data()));
+}
+
+// Where the fours of a block begin.
+using PlaceLanes = std::array<I16, patchFours>;
+
+// Of block `block` where all 16 are whole.
+HWY_INLINE void setWholePlaces(const TilePlan& plan, unsigned block,
+                               const std::array<VertexFields, residualClasses>& fields, PlaceLanes& places) {
+    const auto number = [](unsigned value) HWY_ATTR { return all(static_cast<int32_t>(value)); };
+    const I16 mids = loadBlocks(wholeEdges.mids[block].data());
+    const I16 quarter = number(fields[edgeQuarter].bits);
+    places[edgeMids] = number(plan.edgeMids) + mids * number(fields[edgeMid].bits);
+    places[lowQuarters] = number(plan.edgeQuarters) + (mids + mids) * quarter;
+    places[highQuarters] = places[lowQuarters] + quarter;
+    const uint32_t inside = plan.insideOf(block);
+    const uint32_t behindCentre = inside + fields[insideCentre].bits;
+    places[middle] = number(inside);
+    places[crosses] = number(behindCentre) +
+                      loadBlocks(insideFieldLanes[crosses].data()) * number(fields[insideCross].bits);
+    places[diagonals] = number(behindCentre + 4 * fields[insideCross].bits) +
+                        loadBlocks(insideFieldLanes[diagonals].data()) * number(fields[insideDiagonal].bits);
+}
+// Of any block.
+inline void setAnyPlaces(const TilePlan& plan, unsigned i, unsigned j, unsigned drop, PlaceLanes& places) {
+    FieldPlaces found;
+    setEdgePlaces(plan, i, j, found);
+    setInsidePlaces(plan, j * blocksOf(plan.columns) + i, stepsOfBlock(plan.columns, i),
+                    stepsOfBlock(plan.rows, j), drop, found);
+    for (unsigned four = 0; four < patchFours; ++four)
+        places[four] = loadBlocks(reinterpret_cast<const int32_t*>(found[four].data()));
 }
 
 inline uint32_t diagonalsOf(const uint8_t* record, unsigned number, const Block& block, unsigned columns,
@@ -349,21 +427,29 @@ inline uint32_t diagonalsOf(const uint8_t* record, unsigned number, const Block&
 
 // `place`: bit of TileBlocks::blocks.
 inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsigned place, Block& block) {
-    const TilePlan& plan = tile.plan;
+    const TilePlan plan(record);
     const unsigned i = stepsAtPlaces[blocksOf(plan.columns)][place % 4];
     const unsigned j = stepsAtPlaces[blocksOf(plan.rows)][place / 4];
     const unsigned columns = stepsOfBlock(plan.columns, i), rows = stepsOfBlock(plan.rows, j);
     const unsigned number = j * blocksOf(plan.columns) + i;
-    FieldPlaces places;
-    setEdgePlaces(plan, i, j, places);
-    setInsidePlaces(plan, number, columns, rows, places);
+    const unsigned drop = dropOf(record[tileHeaderBytes + number]);
     const ResidualReader reader(record, plan, static_cast<int32_t>(4 * i), static_cast<int32_t>(4 * j), 1);
+    const std::array<VertexFields, residualClasses> fields{
+        reader.fieldsOf(edgeMid, 0), reader.fieldsOf(edgeQuarter, 0), reader.fieldsOf(insideCentre, drop),
+        reader.fieldsOf(insideCross, drop), reader.fieldsOf(insideDiagonal, drop)};
+    PlaceLanes places;
+    if (plan.isWhole()) {
+        setWholePlaces(plan, number, fields, places);
+    } else {
+        setAnyPlaces(plan, i, j, drop, places);
+    }
     PatchResiduals residuals;
     for (unsigned four = 0; four < patchFours; ++four)
-        residuals[four] = reader.read(four, classOfFour[four],
-                                      four < crosses ? 0 : dropOf(plan.drops[number]), places[four]);
-    const PatchFours fours(blockCorners(tile, place / 4 * 5 + place % 4), residuals, columns, rows,
-                           plan.curve);
+        residuals[four] = reader.read(four, fields[classOfFour[four]], places[four]);
+    const Four corners = blockCorners(tile, place / 4 * 5 + place % 4);
+    const unsigned curve = fieldOf(loadLe<uint32_t>(record + 4), 28, 3);
+    const PatchFours fours = columns == 4 && rows == 4 ? PatchFours(corners, residuals, curve)
+                                                       : PatchFours(corners, residuals, columns, rows, curve);
     alignas(64) std::array<PatchAxis<int32_t>, 3> points;
     fours.storePatch(points, columns, rows);
     for (size_t k = 0; k < 3; ++k) {
@@ -371,9 +457,8 @@ inline void decodeTileBlock(const uint8_t* record, const TileBlocks& tile, unsig
         store(toFloat(load(points[k].data() + 16)), block.points[k].data() + 16);
     }
     block.quads = stepMask(columns, rows);
-    const auto diagonals = static_cast<TileDiagonals>(fieldOf(loadLe<uint32_t>(record + 4), 24, 2));
-    block.bd = diagonals == TileDiagonals::allBd ? 0xffff : 0;
-    if (diagonals == TileDiagonals::mixed) block.bd = diagonalsOf(record, number, block, columns, rows);
+    block.bd = plan.diagonals == TileDiagonals::allBd ? 0xffff : 0;
+    if (plan.diagonals == TileDiagonals::mixed) block.bd = diagonalsOf(record, number, block, columns, rows);
 }
 
 }  // namespace filigree::grid::HWY_NAMESPACE

@@ -15,11 +15,13 @@ enum class TileSort {
     height,   // a heightfield: x and z regular
     smooth,   // a curved sheet across all axes
     rough,    // the same with noise
+    patchy,   // level ground beside rough ground
     noise,    // any coordinates
     extreme,  // the lattice's ends
 };
-inline constexpr std::array everyTileSort{TileSort::flat,  TileSort::height, TileSort::smooth,
-                                          TileSort::rough, TileSort::noise,  TileSort::extreme};
+inline constexpr std::array everyTileSort{TileSort::flat,   TileSort::height, TileSort::smooth,
+                                          TileSort::rough,  TileSort::patchy, TileSort::noise,
+                                          TileSort::extreme};
 
 inline LatticePoint someTilePoint(TileSort sort, unsigned column, unsigned row, std::mt19937& random) {
     const auto below = [&](uint32_t limit) { return static_cast<int32_t>(random() % limit); };
@@ -37,6 +39,8 @@ inline LatticePoint someTilePoint(TileSort sort, unsigned column, unsigned row, 
             return {wave(2, 0.1) + 9 * x, wave(1.5, 1), wave(0.3, 1) + 7 * z};
         case TileSort::rough:
             return {wave(2, 0.1) + below(300), wave(1.5, 1) + below(500), wave(0.3, 1) + below(40)};
+        case TileSort::patchy:
+            return {1000 + x, column / 8 == row / 8 ? 700 + below(500) : 700, 20 + z};
         case TileSort::noise:
             return {below(latticeLimit), below(latticeLimit), below(latticeLimit)};
         case TileSort::extreme:
