@@ -392,7 +392,8 @@ FILIGREE_API filigree_error filigree_encode(const filigree_context* context, con
 FILIGREE_API filigree_error filigree_encode_bitmask(const filigree_context* context,
                                                     const filigree_image* image,
                                                     const filigree_alpha_test* test, uint32_t states,
-                                                    filigree_set** out, filigree_error_info* error);
+                                                    const filigree_progress* progress, filigree_set** out,
+                                                    filigree_error_info* error);
 
 FILIGREE_API void filigree_set_destroy(filigree_set* set);
 
@@ -475,6 +476,326 @@ FILIGREE_API filigree_error filigree_set_lookup_at(const filigree_set* set, size
 
 // The curve index of the micro-triangle that holds a point; level 0 to 12, otherwise UINT32_MAX.
 FILIGREE_API uint32_t filigree_curve_index(float u, float v, uint32_t level);
+
+// ---- Opacity squares
+
+// Three-state squares of pairs of triangles (Fenney and Ozkan 2023): docs/spec/vq2.md, docs/spec/vq4.md.
+typedef enum filigree_square_format {
+    FILIGREE_SQUARE_VQ2 = 0,       // 16 x 16 regions in 32 bytes
+    FILIGREE_SQUARE_VQ2_PLUS = 1,  // the same, smaller loss
+    FILIGREE_SQUARE_VQ4 = 2,       // 32 x 32 regions in 64 bytes
+    FILIGREE_SQUARE_VQ4_PLUS = 3
+} filigree_square_format;
+
+typedef enum filigree_region {
+    FILIGREE_REGION_TRANSPARENT = 0,
+    FILIGREE_REGION_MIXED = 1,
+    FILIGREE_REGION_OPAQUE = 2
+} filigree_region;
+
+typedef struct filigree_squares filigree_squares;
+
+// Pairs the triangles over shared edges and encodes a square for each pair, equal ones once; the same
+// whatever the context. Vertices are one where their positions are equal, or their texture coordinates where
+// `triangles` has no positions.
+FILIGREE_API filigree_error filigree_squares_encode(
+    const filigree_context* context, const filigree_triangles* triangles, const filigree_image* image,
+    const filigree_alpha_test* test, filigree_square_format format, const filigree_progress* progress,
+    filigree_squares** out, filigree_error_info* error);
+FILIGREE_API void filigree_squares_destroy(filigree_squares* squares);
+
+typedef struct filigree_squares_info {
+    size_t struct_size;
+    uint64_t triangle_count;
+    uint32_t format;       // filigree_square_format
+    uint32_t side;         // regions along an edge
+    uint32_t block_count;  // may be 0
+    uint32_t block_bytes;  // of each
+} filigree_squares_info;
+#define FILIGREE_SQUARES_INFO_INIT \
+    { sizeof(filigree_squares_info), 0, 0, 0, 0, 0 }
+FILIGREE_API filigree_error filigree_squares_get_info(const filigree_squares* squares,
+                                                      filigree_squares_info* info,
+                                                      filigree_error_info* error);
+
+// [block_count * block_bytes] bytes.
+FILIGREE_API filigree_error filigree_squares_get_blocks(const filigree_squares* squares, uint8_t* to,
+                                                        size_t capacity, size_t* count,
+                                                        filigree_error_info* error);
+// [triangle_count] each. Indices: a block, or special: -1 transparent, -2 opaque, -4 mixed throughout.
+// Places: bit 0 is the half of the square, 0 or 1; bits 1 to 3 say which of the triangle's vertices stand as
+// its vertices 0, 1 and 2: 012, 120, 201, 021, 102 or 210 (docs/spec/vq2.md).
+FILIGREE_API filigree_error filigree_squares_get_indices(const filigree_squares* squares, int32_t* to,
+                                                         size_t capacity, size_t* count,
+                                                         filigree_error_info* error);
+FILIGREE_API filigree_error filigree_squares_get_places(const filigree_squares* squares, uint8_t* to,
+                                                        size_t capacity, size_t* count,
+                                                        filigree_error_info* error);
+
+// The filigree_region at the weights u and v of a triangle's vertices 1 and 2, or -1 where `squares` is NULL
+// or has no such triangle.
+FILIGREE_API int filigree_squares_triangle_region(const filigree_squares* squares, size_t triangle, float u,
+                                                  float v);
+
+// Of many blocks and halves (0 or 1), at the weights of the half's vertices 1 and 2, into regions[k] for all
+// k < count, in SIMD. `regions` may not overlap the others.
+FILIGREE_API filigree_error filigree_squares_lookup(const filigree_squares* squares, size_t count,
+                                                    const uint32_t* blocks, const uint8_t* halves,
+                                                    const float* u, const float* v, uint8_t* regions,
+                                                    filigree_error_info* error);
+
+// ---- Vertex grids
+
+// A mesh in the caller's memory, read during the call only.
+typedef struct filigree_mesh {
+    size_t struct_size;
+    const float* positions;  // x, y, z of each vertex, world units, finite; at any address, as all here
+    size_t position_stride;  // bytes from a vertex to the next; 0: 12
+    size_t vertex_count;
+    const void* indices;     // [face_vertices * face_count]; NULL: 0 1 2, 3 4 5, ...
+    uint32_t index_bytes;    // 1, 2 or 4, with indices
+    uint32_t face_vertices;  // 3, or 4: the triangles 0 1 2 and 0 2 3 of each quad. A fourth index of the
+                             // greatest number of its type: the face is a triangle
+    size_t face_count;
+    const float* normals;  // x, y, z of each vertex; or NULL
+    size_t normal_stride;  // 0: 12
+    const float* uvs;      // u, v of each vertex; or NULL
+    size_t uv_stride;      // 0: 8
+} filigree_mesh;
+#define FILIGREE_MESH_INIT \
+    { sizeof(filigree_mesh), NULL, 0, 0, NULL, 0, 3, 0, NULL, 0, NULL, 0 }
+FILIGREE_API filigree_error filigree_mesh_init(filigree_mesh* mesh, size_t struct_size);
+
+// A heightfield in the caller's memory, read during the call only: vertex (column, row) stands at (column *
+// cell, height * height_scale, row * cell). Triangles 2 q and 2 q + 1 make quad q, row by row.
+typedef struct filigree_heightfield {
+    size_t struct_size;
+    const void* heights;   // the height at (0, 0), at any address
+    uint32_t columns;      // vertices, 2 to 65536
+    uint32_t rows;         // the same
+    uint32_t type;         // filigree_texel, F32 of any finite value
+    uint32_t reserved;     // 0
+    size_t height_stride;  // bytes from a height to the next of its row; 0: without gaps
+    size_t row_stride;     // bytes from a row to the next; 0: without gaps
+    double cell;           // world units, above 0
+    double height_scale;   // world units, not 0
+} filigree_heightfield;
+#define FILIGREE_HEIGHTFIELD_INIT \
+    { sizeof(filigree_heightfield), NULL, 0, 0, 0, 0, 0, 0, 1.0, 1.0 }
+FILIGREE_API filigree_error filigree_heightfield_init(filigree_heightfield* heightfield, size_t struct_size);
+
+typedef enum filigree_grid_codec {
+    FILIGREE_GRID_PAPER = 0,   // Benthin, Vaidyanathan and Woop 2021: docs/spec/paper.md
+    FILIGREE_GRID_LATTICE = 1  // no cracks, smaller: docs/spec/lattice.md
+} filigree_grid_codec;
+
+// How far decoded vertices may lie from their sources.
+typedef enum filigree_grid_precision {
+    FILIGREE_GRID_MATCH_PAPER = 0,      // the root mean square error of PAPER on the same grids
+    FILIGREE_GRID_MAX_ERROR = 1,        // max_error, world units
+    FILIGREE_GRID_MAX_ERROR_SHARE = 2,  // max_error, of the diagonal of the box around all vertices
+    FILIGREE_GRID_LOSSLESS = 3          // to the bit; UNSUPPORTED where no lattice holds the vertices
+} filigree_grid_precision;
+
+typedef struct filigree_grid_settings {
+    size_t struct_size;
+    uint32_t codec;            // filigree_grid_codec
+    uint32_t precision;        // filigree_grid_precision, of LATTICE
+    double max_error;          // above 0, where the precision wants it
+    uint32_t shared_exponent;  // 1: displacements of PAPER with a shared exponent; 0: unit vectors
+    uint32_t snap;             // 1: PAPER cuts sub-grids where the surface would crack
+    uint32_t turn_quads;       // 1: quads may be cut along either diagonal
+    uint32_t attributes;       // 1: keep normals, texture coordinates and sources
+    uint32_t measure;          // 1: measure the errors of filigree_grids_info
+    uint32_t reserved;         // 0
+} filigree_grid_settings;
+#define FILIGREE_GRID_SETTINGS_INIT                                                                        \
+    {                                                                                                      \
+        sizeof(filigree_grid_settings), FILIGREE_GRID_LATTICE, FILIGREE_GRID_MATCH_PAPER, 0.0, 0, 0, 0, 1, \
+            1, 0                                                                                           \
+    }
+FILIGREE_API filigree_error filigree_grid_settings_init(filigree_grid_settings* settings, size_t struct_size);
+
+// Every triangle of a mesh, compressed, under a hierarchy: to trace rays against.
+typedef struct filigree_grids filigree_grids;
+
+// The same bytes whatever the context.
+FILIGREE_API filigree_error filigree_grids_create(const filigree_context* context, const filigree_mesh* mesh,
+                                                  const filigree_grid_settings* settings,
+                                                  const filigree_progress* progress, filigree_grids** out,
+                                                  filigree_error_info* error);
+FILIGREE_API filigree_error filigree_grids_create_from_heights(const filigree_context* context,
+                                                               const filigree_heightfield* heights,
+                                                               const filigree_grid_settings* settings,
+                                                               const filigree_progress* progress,
+                                                               filigree_grids** out,
+                                                               filigree_error_info* error);
+FILIGREE_API void filigree_grids_destroy(filigree_grids* grids);
+
+typedef struct filigree_grids_info {
+    size_t struct_size;
+    uint32_t codec;  // filigree_grid_codec
+    uint32_t grid_count;
+    uint64_t triangle_count;  // of grids and loose
+    uint64_t loose_count;
+    uint64_t geometry_bytes;   // what stays in memory while rays are traced: the records of grids,
+    uint64_t hierarchy_bytes;  // the hierarchy over all records,
+    uint64_t cluster_bytes;    // and the records of loose triangles
+    uint64_t attribute_bytes;  // for shading
+    double rms_error;          // distance of decoded vertices from their sources, world units; -1: not known
+    double max_error;
+} filigree_grids_info;
+#define FILIGREE_GRIDS_INFO_INIT \
+    { sizeof(filigree_grids_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+FILIGREE_API filigree_error filigree_grids_get_info(const filigree_grids* grids, filigree_grids_info* info,
+                                                    filigree_error_info* error);
+
+// A decoded triangle.
+typedef struct filigree_grid_triangle {
+    float positions[3][3];  // world units
+    uint32_t source;  // of the mesh: faces in order, a quad's two one after the other; or, where sources
+                      // were not kept, its own number in this list
+} filigree_grid_triangle;
+
+// [triangle_count]: those of grids, two for each quad, row by row, then loose ones.
+FILIGREE_API filigree_error filigree_grids_get_triangles(const filigree_grids* grids,
+                                                         filigree_grid_triangle* to, size_t capacity,
+                                                         size_t* count, filigree_error_info* error);
+
+// ---- Rays
+
+// Points origin + t * direction with t_min <= t <= t_max, world units. A ray that is not finite (but for
+// t_max), has no direction or t_min > t_max hits nothing.
+typedef struct filigree_ray {
+    float origin[3];
+    float direction[3];  // of any length
+    float t_min;
+    float t_max;
+} filigree_ray;
+
+#define FILIGREE_NO_GRID 0xffffffffu     // nothing is hit
+#define FILIGREE_LOOSE_GRID 0xfffffffeu  // a loose triangle: its number is `column`
+
+typedef struct filigree_hit {
+    float t;          // infinite where nothing is hit
+    uint32_t grid;    // or one of the two above
+    uint32_t column;  // of the quad
+    uint32_t row;
+    uint32_t half;  // 0 or 1: which triangle of the quad
+    float u;        // weights of the triangle's vertices 1 and 2
+    float v;
+    float normal[3];  // of the triangle, not of length 1
+    uint32_t source;  // as filigree_grid_triangle has it
+} filigree_hit;
+
+// For one thread at a time: make one for each. It looks into the grids, which must outlive it.
+typedef struct filigree_tracer filigree_tracer;
+FILIGREE_API filigree_error filigree_tracer_create(const filigree_context* context,
+                                                   const filigree_grids* grids, filigree_tracer** out,
+                                                   filigree_error_info* error);
+FILIGREE_API void filigree_tracer_destroy(filigree_tracer* tracer);
+
+// The nearest hits of `count` rays into hits[0..count); and whether they hit anything, 1 or 0, into answers.
+// Strides are in bytes, 0: without gaps; a stride is a multiple of 4. Many rays at a time take less time
+// each: while one waits for memory, another computes. Outputs may not overlap the rays. An answer never
+// depends on the other rays.
+FILIGREE_API filigree_error filigree_tracer_closest(filigree_tracer* tracer, size_t count,
+                                                    const filigree_ray* rays, size_t ray_stride,
+                                                    filigree_hit* hits, size_t hit_stride,
+                                                    filigree_error_info* error);
+FILIGREE_API filigree_error filigree_tracer_any(filigree_tracer* tracer, size_t count,
+                                                const filigree_ray* rays, size_t ray_stride, uint8_t* answers,
+                                                filigree_error_info* error);
+
+// What a hit says of the surface.
+typedef struct filigree_surface {
+    size_t struct_size;
+    float grid_u;  // across the grid and down, 0 to 1; 0 of loose triangles
+    float grid_v;
+    uint32_t has_normal;  // 1 where the grids keep normals
+    uint32_t has_uv;
+    float normal[3];  // not of length 1
+    float uv[2];
+} filigree_surface;
+#define FILIGREE_SURFACE_INIT                        \
+    {                                                \
+        sizeof(filigree_surface), 0, 0, 0, 0, {0}, { \
+            0                                        \
+        }                                            \
+    }
+FILIGREE_API filigree_error filigree_grids_get_surface(const filigree_grids* grids, const filigree_hit* hit,
+                                                       filigree_surface* surface, filigree_error_info* error);
+
+// ---- Containers: .fil in memory (docs/spec/fil.md)
+
+typedef enum filigree_container {
+    FILIGREE_CONTAINER_SET = 0,
+    FILIGREE_CONTAINER_SQUARES = 1,
+    FILIGREE_CONTAINER_GRIDS = 2
+} filigree_container;
+
+typedef struct filigree_container_settings {
+    size_t struct_size;
+    const char* asset_name;           // of the file that the contents were made from, UTF-8; NULL: none
+    const void* asset;                // its bytes, of which size and hash are recorded; or NULL
+    size_t asset_bytes;               // of them
+    const filigree_alpha_test* test;  // that maps were made with, recorded; NULL: not known
+    uint32_t zstd;                    // 1: compress each section that becomes smaller
+    uint32_t reserved;                // 0
+} filigree_container_settings;
+#define FILIGREE_CONTAINER_SETTINGS_INIT \
+    { sizeof(filigree_container_settings), NULL, NULL, 0, NULL, 0, 0 }
+FILIGREE_API filigree_error filigree_container_settings_init(filigree_container_settings* settings,
+                                                             size_t struct_size);
+
+// Bytes that the library made. Data is NULL and size 0 for NULL.
+typedef struct filigree_blob filigree_blob;
+FILIGREE_API const void* filigree_blob_data(const filigree_blob* blob);
+FILIGREE_API size_t filigree_blob_size(const filigree_blob* blob);
+FILIGREE_API void filigree_blob_destroy(filigree_blob* blob);
+
+// To a container; same contents and settings, same bytes. The triangles become one primitive.
+FILIGREE_API filigree_error filigree_set_serialise(const filigree_context* context, const filigree_set* set,
+                                                   const filigree_container_settings* settings,
+                                                   filigree_blob** out, filigree_error_info* error);
+FILIGREE_API filigree_error filigree_squares_serialise(const filigree_context* context,
+                                                       const filigree_squares* squares,
+                                                       const filigree_container_settings* settings,
+                                                       filigree_blob** out, filigree_error_info* error);
+FILIGREE_API filigree_error filigree_grids_serialise(const filigree_context* context,
+                                                     const filigree_grids* grids,
+                                                     const filigree_container_settings* settings,
+                                                     filigree_blob** out, filigree_error_info* error);
+
+// And back: everything is checked, and nothing looks into `bytes` afterwards. FORMAT names the section and
+// the place in it. UNSUPPORTED for maps that are one bit and a pair of states.
+FILIGREE_API filigree_error filigree_set_parse(const filigree_context* context, const void* bytes,
+                                               size_t size, filigree_set** out, filigree_error_info* error);
+FILIGREE_API filigree_error filigree_squares_parse(const filigree_context* context, const void* bytes,
+                                                   size_t size, filigree_squares** out,
+                                                   filigree_error_info* error);
+FILIGREE_API filigree_error filigree_grids_parse(const filigree_context* context, const void* bytes,
+                                                 size_t size, filigree_grids** out,
+                                                 filigree_error_info* error);
+
+// FILIGREE_OK for a container that keeps all rules, otherwise the first breach. *kind, where `kind` is not
+// NULL, becomes what it claims to hold; with FILIGREE_ERROR_FORMAT that may be a guess.
+FILIGREE_API filigree_error filigree_validate(const filigree_context* context, const void* bytes, size_t size,
+                                              filigree_container* kind, filigree_error_info* error);
+
+// The triangles of a parsed container belong to primitives of a file, one after another. Sets and squares
+// that were made here have one: mesh 0, primitive 0.
+typedef struct filigree_primitive {
+    uint32_t mesh;       // into glTF meshes
+    uint32_t primitive;  // into the mesh's primitives
+    uint32_t triangles;
+} filigree_primitive;
+FILIGREE_API filigree_error filigree_set_get_primitives(const filigree_set* set, filigree_primitive* to,
+                                                        size_t capacity, size_t* count,
+                                                        filigree_error_info* error);
+FILIGREE_API filigree_error filigree_squares_get_primitives(const filigree_squares* squares,
+                                                            filigree_primitive* to, size_t capacity,
+                                                            size_t* count, filigree_error_info* error);
 
 #ifdef __cplusplus
 }

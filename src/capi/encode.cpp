@@ -7,6 +7,7 @@
 #include "capi/context.h"
 #include "capi/image.h"
 #include "capi/micromaps.h"
+#include "capi/primitives.h"
 #include "capi/progress.h"
 #include "capi/set.h"
 
@@ -59,13 +60,21 @@ std::vector<encoding::WeightedMap> weightedMaps(const filigree_micromaps& maps,
     return weighted;
 }
 
-Owned<filigree_set> encodeLossless(const Memory& memory, const filigree_micromaps& maps,
-                                   const EncodeSettings& settings, const Executor& executor) {
-    const auto encoded = orFail(
-        encoding::encode(settings.encoding, maps.trees.views(), settings.format, settings.options, executor));
-    auto set = ownedSet(memory, encoding::viewOf(encoded));
+// A set with the indices of `maps`.
+Owned<filigree_set> setOf(const Memory& memory, const encoding::EncodedView& blocks,
+                          const filigree_micromaps& maps) {
+    auto set = ownedSet(memory, blocks);
     set->indices = Array<int32_t>(memory, maps.indices.values());
+    set->primitives = onePrimitive(memory, maps.indices.size());
     return set;
+}
+
+Owned<filigree_set> encodeLossless(const Memory& memory, const filigree_micromaps& maps,
+                                   const EncodeSettings& settings, const Executor& executor,
+                                   ProgressSink& progress) {
+    const auto encoded = orFail(encoding::encode(settings.encoding, maps.trees.views(), settings.format,
+                                                 settings.options, executor, progress));
+    return setOf(memory, encoding::viewOf(encoded), maps);
 }
 
 Owned<filigree_set> encodeLossy(const Memory& memory, const filigree_micromaps& maps,
@@ -74,8 +83,7 @@ Owned<filigree_set> encodeLossy(const Memory& memory, const filigree_micromaps& 
     const auto lossy =
         orFail(encoding::encodeLossy(settings.encoding, weightedMaps(maps, settings), settings.format,
                                      settings.options, settings.goal, executor, progress));
-    auto set = ownedSet(memory, encoding::viewOf(lossy.set));
-    set->indices = Array<int32_t>(memory, maps.indices.values());
+    auto set = setOf(memory, encoding::viewOf(lossy.set), maps);
     for (int32_t& index : set->indices.values()) {
         if (index >= 0) index = lossy.indices[static_cast<size_t>(index)];
     }
@@ -100,20 +108,22 @@ filigree_error filigree_encode(const filigree_context* context, const filigree_m
         const EncodeSettings chosen = settingsOf(settings, from);
         const Memory memory = memoryOf(context);
         auto set = chosen.isLossy() ? encodeLossy(memory, from, chosen, executorOf(context), told.sink())
-                                    : encodeLossless(memory, from, chosen, executorOf(context));
+                                    : encodeLossless(memory, from, chosen, executorOf(context), told.sink());
         return set.release();
     });
 }
 
 filigree_error filigree_encode_bitmask(const filigree_context* context, const filigree_image* image,
-                                       const filigree_alpha_test* test, uint32_t states, filigree_set** out,
+                                       const filigree_alpha_test* test, uint32_t states,
+                                       const filigree_progress* progress, filigree_set** out,
                                        filigree_error_info* error) {
     return make(out, error, [&] {
+        CallerProgress told(progress);
         const auto format = formatOf(states, "states");
         const auto texture = textureOf(image);
         const filigree::encoding::BitmaskSource source{&texture, testOf(test)};
-        const auto encoded =
-            orFail(filigree::encoding::encodeBitmasks({&source, 1}, format, executorOf(context)));
+        const auto encoded = orFail(
+            filigree::encoding::encodeBitmasks({&source, 1}, format, executorOf(context), told.sink()));
         return ownedSet(memoryOf(context), filigree::encoding::viewOf(encoded)).release();
     });
 }

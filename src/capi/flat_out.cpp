@@ -1,10 +1,11 @@
+#include "filigree/micromap/buffers.h"
+
 #include "capi/call.h"
 #include "capi/fill.h"
 #include "capi/flat.h"
 #include "capi/sized.h"
 
 #include <array>
-#include <cstring>
 
 namespace filigree::capi {
 namespace {
@@ -68,23 +69,6 @@ Usage usageOf(const filigree_micromaps& maps, bool ofTriangles) {
             usage.list[usage.count++] = {counts[level], level, static_cast<uint32_t>(maps.format)};
     }
     return usage;
-}
-
-void writeIndices(std::span<const int32_t> indices, uint32_t bytes, void* to) {
-    auto* out = static_cast<unsigned char*>(to);
-    const auto put = [&](auto value) {
-        std::memcpy(out, &value, sizeof value);
-        out += sizeof value;
-    };
-    for (const int32_t index : indices) {
-        if (bytes == 1) {
-            put(static_cast<uint8_t>(index));
-        } else if (bytes == 2) {
-            put(static_cast<uint16_t>(index));
-        } else {
-            put(index);
-        }
-    }
 }
 
 filigree_micromaps_info infoOf(const filigree_micromaps& maps) {
@@ -151,8 +135,10 @@ filigree_error filigree_micromaps_get_indices(const filigree_micromaps* maps, ui
         const size_t least = filigree::micromap::indexBytes(indices);
         if (index_bytes < least)
             fail(FILIGREE_ERROR_LIMIT, "index_bytes: is {}, the indices need {}", index_bytes, least);
-        fillElements(to, index_bytes, capacity, count, indices.size(),
-                     [&](void* room) { writeIndices(indices, index_bytes, room); });
+        fillElements(to, index_bytes, capacity, count, indices.size(), [&](void* room) {
+            const std::span bytes(static_cast<uint8_t*>(room), indices.size() * index_bytes);
+            filigree::micromap::writeIndices(indices, index_bytes, bytes);
+        });
     });
 }
 

@@ -25,6 +25,9 @@ class Indices {
         return bytes_ == 2 ? load<uint16_t>(k) : load<uint32_t>(k);
     }
 
+    // Of the type.
+    [[nodiscard]] uint32_t greatest() const { return UINT32_MAX >> (32 - 8 * bytes_); }
+
   private:
     template <class T>
     [[nodiscard]] T load(size_t k) const {

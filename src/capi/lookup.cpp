@@ -2,6 +2,7 @@
 
 #include "capi/arguments.h"
 #include "capi/call.h"
+#include "capi/parts.h"
 #include "capi/set.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace {
 using micromap::State;
 
 constexpr int noState = -1;
-constexpr size_t checkedAtOnce = 1024;  // queries that stay in the first cache between check and lookup
 
 int numberOf(State state) {
     return static_cast<int>(state);
@@ -52,13 +52,6 @@ void checkIndices(const filigree_set& set, std::span<const uint32_t> maps, std::
     while (isIn(set, maps[k], indices[k])) ++k;
     fail(FILIGREE_ERROR_ARGUMENT, "indices: element {} is {}, map {} has level {}", first + k, indices[k],
          maps[k], set.levels[maps[k]]);
-}
-
-// Calls some(first, count) for parts of a batch in turn.
-template <class Some>
-void inParts(size_t count, Some&& some) {
-    for (size_t first = 0; first < count; first += checkedAtOnce)
-        some(first, std::min(checkedAtOnce, count - first));
 }
 
 void lookUp(const filigree_set& set, std::span<const uint32_t> maps, std::span<const float> u,

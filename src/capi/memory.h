@@ -47,7 +47,8 @@ class Array {
         if (count > SIZE_MAX / sizeof(T)) throw std::bad_alloc();
         if (count > 0) values_ = static_cast<T*>(memory.take(count * sizeof(T)));
     }
-    Array(const Memory& memory, std::span<const T> values) : Array(memory, values.size()) {
+    Array(const Memory& memory, std::type_identity_t<std::span<const T>> values)
+        : Array(memory, values.size()) {
         std::copy(values.begin(), values.end(), values_);
     }
     Array(Array&& other) noexcept { swap(other); }

@@ -5,7 +5,8 @@
 
 #include "capi/sized.h"
 
-#include <string>
+#include <algorithm>
+#include <array>
 
 namespace filigree::capi {
 
@@ -22,8 +23,10 @@ class CallerProgress {
   private:
     void tell(const ProgressReport& report) {
         if (progress_.callback == nullptr) return;
-        const std::string stage(report.stage);
-        if (progress_.callback(progress_.user, stage.c_str(), report.done, report.total) != 0) sink_.cancel();
+        // May be called where nothing may be thrown: no allocation.
+        std::array<char, 64> stage{};
+        std::copy_n(report.stage.begin(), std::min(report.stage.size(), stage.size() - 1), stage.begin());
+        if (progress_.callback(progress_.user, stage.data(), report.done, report.total) != 0) sink_.cancel();
     }
 
     filigree_progress progress_;

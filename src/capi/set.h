@@ -21,6 +21,7 @@ struct filigree_set {
     std::optional<filigree::encoding::BitmaskReader> textures;  // of a bitmask
     filigree::capi::Array<uint8_t> levels;                      // [map_count], but for a bitmask
     filigree::capi::Array<int32_t> indices;                     // [triangle_count]
+    filigree::capi::Array<filigree_primitive> primitives;       // that these belong to
 };
 
 namespace filigree::capi {

@@ -8,7 +8,7 @@ uint64_t bytesIn(const std::vector<T>& list) {
     return list.size() * sizeof(T);
 }
 
-// A vertex of a quad, and where it stands in it.
+// A vertex of a quad, and where it stands in it, or in its grid.
 struct QuadCorner {
     uint32_t column = 0;
     uint32_t row = 0;
@@ -45,12 +45,24 @@ std::optional<T> blendedAt(const std::vector<T>& values, const std::array<Index,
 SurfacePoint loosePoint(const GridAttributes& attributes, uint32_t triangle,
                         const std::array<float, 3>& weights) {
     SurfacePoint point;
-    if (!attributes.looseSources.empty()) point.source = attributes.looseSources[triangle];
     if (attributes.looseTriangles.empty()) return point;
     const auto& corners = attributes.looseTriangles[triangle];
     point.normal = blendedAt(attributes.looseNormals, corners, weights);
     point.uv = blendedAt(attributes.looseUvs, corners, weights);
     return point;
+}
+
+uint64_t quadOf(const VertexGrid& grid, const Hit& hit) {
+    return grid.firstQuad + uint64_t{hit.row} * (grid.columns - 1) + hit.column;
+}
+
+// The places of a triangle's vertices in its grid.
+std::array<QuadCorner, 3> cornersAt(const GridAttributes& attributes, const VertexGrid& grid, const Hit& at) {
+    const Diagonal diagonal =
+        attributes.diagonals.empty() ? Diagonal::ac : attributes.diagonals[quadOf(grid, at)];
+    auto corners = cornersOf(diagonal, at.half);
+    for (QuadCorner& corner : corners) corner = {at.column + corner.column, at.row + corner.row};
+    return corners;
 }
 
 }  // namespace
@@ -74,24 +86,42 @@ GridAttributes attributesOf(const GridMesh& mesh) {
     return attributes;
 }
 
+std::optional<uint32_t> sourceAt(const GridAttributes& attributes, std::span<const VertexGrid> table,
+                                 const Hit& hit) {
+    if (hit.grid == looseGrid) {
+        if (attributes.looseSources.empty()) return std::nullopt;
+        return attributes.looseSources[hit.column];
+    }
+    const uint64_t quad = quadOf(table[hit.grid], hit);
+    if (attributes.quadSources.empty()) return static_cast<uint32_t>(2 * quad + hit.half);
+    return attributes.quadSources[quad][hit.half];
+}
+
+std::array<uint64_t, 3> verticesOf(const GridAttributes& attributes, const VertexGrid& grid, const Hit& at) {
+    std::array<uint64_t, 3> vertices{};
+    const auto corners = cornersAt(attributes, grid, at);
+    for (size_t k = 0; k < 3; ++k)
+        vertices[k] = grid.firstVertex + uint64_t{corners[k].row} * grid.columns + corners[k].column;
+    return vertices;
+}
+
 SurfacePoint surfaceAt(const GridAttributes& attributes, std::span<const VertexGrid> table, const Hit& hit) {
     const std::array<float, 3> weights{1 - hit.u - hit.v, hit.u, hit.v};
-    if (hit.grid == looseGrid) return loosePoint(attributes, hit.column, weights);
-    const VertexGrid& grid = table[hit.grid];
-    const uint64_t quad = grid.firstQuad + uint64_t{hit.row} * (grid.columns - 1) + hit.column;
-    const Diagonal diagonal = attributes.diagonals.empty() ? Diagonal::ac : attributes.diagonals[quad];
-    SurfacePoint point;
-    std::array<uint64_t, 3> vertices{};
-    const auto corners = cornersOf(diagonal, hit.half);
-    for (size_t k = 0; k < 3; ++k) {
-        const auto column = hit.column + corners[k].column;
-        const auto row = hit.row + corners[k].row;
-        vertices[k] = grid.firstVertex + uint64_t{row} * grid.columns + column;
-        point.gridU += weights[k] * static_cast<float>(column) / static_cast<float>(grid.columns - 1);
-        point.gridV += weights[k] * static_cast<float>(row) / static_cast<float>(grid.rows - 1);
+    if (hit.grid == looseGrid) {
+        SurfacePoint point = loosePoint(attributes, hit.column, weights);
+        point.source = sourceAt(attributes, table, hit);
+        return point;
     }
-    point.source = attributes.quadSources.empty() ? static_cast<uint32_t>(2 * quad + hit.half)
-                                                  : attributes.quadSources[quad][hit.half];
+    const VertexGrid& grid = table[hit.grid];
+    const auto corners = cornersAt(attributes, grid, hit);
+    SurfacePoint point;
+    for (size_t k = 0; k < 3; ++k) {
+        point.gridU +=
+            weights[k] * static_cast<float>(corners[k].column) / static_cast<float>(grid.columns - 1);
+        point.gridV += weights[k] * static_cast<float>(corners[k].row) / static_cast<float>(grid.rows - 1);
+    }
+    const auto vertices = verticesOf(attributes, grid, hit);
+    point.source = sourceAt(attributes, table, hit);
     point.normal = blendedAt(attributes.normals, vertices, weights);
     point.uv = blendedAt(attributes.uvs, vertices, weights);
     return point;

@@ -1,6 +1,9 @@
 #include "mesh/matching.h"
 
+// The graph stays on one thread, and without memory the library would throw with its lock held.
 #define LEMON_ONLY_TEMPLATES
+#include <lemon/config.h>
+#undef LEMON_USE_PTHREAD
 #include <lemon/matching.h>
 #include <lemon/smart_graph.h>
 

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-enum { leafSide = 32, leafTriangles = 6 };
+enum { leafSide = 32, leafTriangles = 6, hillSide = 21 };
 
 // The alpha of a disc over 32 x 32 texels, as the fourth of four bytes a texel.
 filigree_image leafImage(void);
@@ -17,9 +17,17 @@ filigree_image leafImage(void);
 // outside.
 filigree_triangles leafTriangleList(void);
 
-// The card baked with the defaults, the defaults encoded. NULL is a failed check.
+// The card baked with the defaults, encoded with the defaults, and as squares. NULL is a failed check.
 filigree_micromaps* bakedLeaf(const filigree_context* context);
 filigree_set* encodedLeaf(const filigree_context* context, filigree_encoding encoding);
+filigree_squares* squaresOfLeaf(const filigree_context* context, filigree_square_format format);
+
+// Hills of 21 x 21 vertices, 16-bit, two bytes apart from each other.
+filigree_heightfield hillHeights(void);
+filigree_grids* gridsOfHills(const filigree_context* context);
+
+// Every kind of handle made from samples and used; the first error, with all handles destroyed.
+filigree_error useEverything(const filigree_context* context, filigree_error_info* error);
 
 #ifdef __cplusplus
 }

@@ -131,7 +131,7 @@ static void checkBitmask(void) {
     const uint32_t indices[2] = {0, 1};
     const float u[2] = {0.5F, 0.01F};
     uint8_t states[2];
-    CHECK_CODE(FILIGREE_OK, &error, filigree_encode_bitmask(NULL, &image, NULL, 4, &set, &error));
+    CHECK_CODE(FILIGREE_OK, &error, filigree_encode_bitmask(NULL, &image, NULL, 4, NULL, &set, &error));
     CHECK_CODE(FILIGREE_OK, &error, filigree_set_lookup(set, 2, maps, u, u, states, &error));
     CHECK(states[0] == FILIGREE_STATE_OPAQUE && states[1] == FILIGREE_STATE_TRANSPARENT);
     CHECK(filigree_set_state(set, 0, 0.5F, 0.5F) == FILIGREE_STATE_OPAQUE);

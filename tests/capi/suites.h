@@ -8,9 +8,12 @@ extern "C" {
 
 int micromapsSuite(void);
 int setsSuite(void);
-int badInputSuite(void);
-int memorySuite(void);
+int squaresSuite(void);
+int gridsSuite(void);
+int containersSuite(void);
 int contextSuite(void);
+int memorySuite(void);
+int badInputSuite(void);
 
 #ifdef __cplusplus
 }

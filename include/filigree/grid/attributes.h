@@ -48,4 +48,12 @@ struct SurfacePoint {
 FILIGREE_API SurfacePoint surfaceAt(const GridAttributes& attributes, std::span<const VertexGrid> table,
                                     const Hit& hit);
 
+// The vertices of the triangle of a quad that `at` names, into GridMesh::vertices: its grid is `grid`.
+FILIGREE_API std::array<uint64_t, 3> verticesOf(const GridAttributes& attributes, const VertexGrid& grid,
+                                                const Hit& at);
+
+// SurfacePoint::source alone.
+FILIGREE_API std::optional<uint32_t> sourceAt(const GridAttributes& attributes,
+                                              std::span<const VertexGrid> table, const Hit& hit);
+
 }  // namespace filigree::grid
