@@ -63,6 +63,7 @@ void addBench(CLI::App& app, Commands& commands) {
     addBenchGrids(*bench, commands);
     addBenchLookup(*bench, commands);
     addBenchTrace(*bench, commands);
+    addBenchVulkan(*bench, commands);
 }
 
 }  // namespace filigree::app

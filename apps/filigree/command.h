@@ -84,6 +84,7 @@ void addBenchEncode(CLI::App& bench, Commands& commands);
 void addBenchGrids(CLI::App& bench, Commands& commands);
 void addBenchLookup(CLI::App& bench, Commands& commands);
 void addBenchTrace(CLI::App& bench, Commands& commands);
+void addBenchVulkan(CLI::App& bench, Commands& commands);
 void addRender(CLI::App& app, Commands& commands);
 void addDemo(CLI::App& app, Commands& commands);
 void addVq(CLI::App& app, Commands& commands);

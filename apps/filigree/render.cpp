@@ -19,7 +19,7 @@ namespace {
 void addMethod(CLI::App& verb, jobs::RenderOptions& options) {
     verb.add_option("--method", options.method,
                     "none, texture, bitmask, gruen, micromap (the default), tree, indexed-tree, dag, sdag, "
-                    "vq2, vq4, vq2+ or vq4+")
+                    "vq2, vq4, vq2+ or vq4+; hardware: micromaps of the Vulkan device itself")
         ->type_name("NAME");
     const auto setStates = [&options](const std::string& text) {
         options.states = parsedNumber<unsigned>(text, "--states", text);
@@ -63,6 +63,9 @@ void addBackend(CLI::App& verb, jobs::RenderOptions& options) {
             "--path", options.path,
             "How the device traces: query (the default where it can), or pipeline, ray-tracing shaders")
         ->type_name("NAME");
+    verb.add_option("--build", options.build,
+                    "With --method hardware: fast-trace (the default) or fast-build")
+        ->type_name("NAME");
 }
 
 void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
@@ -72,7 +75,7 @@ void addCosts(CLI::App& verb, jobs::RenderOptions& options) {
         options.heatmapOf = text == "bits" ? jobs::HeatmapOf::bits : jobs::HeatmapOf::tests;
     };
     verb.add_option_function<std::string>("--heatmap-of", setHeat,
-                                          "Alpha tests (the default), or bits that lookups read")
+                                          "Alpha tests (the default), or bits that lookups read, on the CPU")
         ->type_name("tests|bits");
     verb.add_option("--triptych", options.triptych,
                     "Draw the picture and the alpha tests without and with maps side by side to this PNG")

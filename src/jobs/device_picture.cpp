@@ -69,17 +69,34 @@ Result<DeviceScene> DeviceScene::open(const vulkan::DeviceOptions& options, std:
     return DeviceScene(std::move(device), *chosen, std::move(*placed), world);
 }
 
-Result<vulkan::Painter> DeviceScene::prepare(const OpacityInput& input, const SceneMaps& maps) const {
-    return vulkan::Painter::make(*device_, scene_, deviceMethod(input, maps, world_), path_);
+Result<vulkan::Painter> DeviceScene::prepare(const OpacityInput& input, const SceneMaps& maps,
+                                             const DeviceChoice& choice) const {
+    vulkan::Method method = deviceMethod(input, maps, world_);
+    if (choice.hardware) {
+        method.hardware = true;
+        method.build = *choice.hardware;
+    }
+    return vulkan::Painter::make(*device_, scene_, method, choice.path.value_or(path_));
 }
 
 Result<trace::Film> DeviceScene::render(vulkan::Painter& painter, const trace::RenderSettings& settings,
-                                        unsigned samples, ProgressSink& progress) const {
+                                        unsigned samples, ProgressSink& progress,
+                                        double* deviceSeconds) const {
     if (settings.defer)
         return Error{ErrorKind::unsupported, "--defer: shaders defer no alpha tests; leave it out"};
     auto picture = painter.render(deviceSettings(settings, samples, world_), progress);
     if (!picture) return picture.error();
+    if (deviceSeconds != nullptr) *deviceSeconds = picture->seconds;
     return filmOf(std::move(*picture), settings, samples);
+}
+
+Result<double> DeviceScene::frameSeconds(vulkan::Painter& painter, const trace::RenderSettings& settings,
+                                         unsigned samples) const {
+    vulkan::PictureSettings counting = deviceSettings(settings, samples, world_);
+    counting.count = false;
+    const auto picture = painter.render(counting, silentProgress());
+    if (!picture) return picture.error();
+    return picture->seconds;
 }
 
 }  // namespace filigree::jobs

@@ -10,9 +10,17 @@
 #include "jobs/opacity_input.h"
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace filigree::jobs {
+
+// How a device runs a method.
+struct DeviceChoice {
+    std::optional<vulkan::RayPath> path;  // none: the scene's
+    std::optional<vulkan::StructureBuild>
+        hardware;  // of its own micromaps, made of flat maps; none: of shaders
+};
 
 // A scene on a device.
 class DeviceScene {
@@ -25,12 +33,19 @@ class DeviceScene {
                                     const Executor& executor = serialExecutor());
 
     // Makes a method ready. `input` and `maps` as makeOpacity or makeSquareOpacity made and took them.
-    // ErrorKind::unsupported for what a device cannot do: squares with two states.
-    [[nodiscard]] Result<vulkan::Painter> prepare(const OpacityInput& input, const SceneMaps& maps) const;
+    // ErrorKind::unsupported for what a device cannot do: squares with two states, hardware micromaps.
+    [[nodiscard]] Result<vulkan::Painter> prepare(const OpacityInput& input, const SceneMaps& maps,
+                                                  const DeviceChoice& choice = {}) const;
 
-    // `samples` samples of every pixel. ErrorKind::unsupported for deferred tests.
+    // `samples` samples of every pixel; `deviceSeconds`, where given, is how long the shaders took.
+    // ErrorKind::unsupported for deferred tests.
     [[nodiscard]] Result<trace::Film> render(vulkan::Painter& painter, const trace::RenderSettings& settings,
-                                             unsigned samples, ProgressSink& progress) const;
+                                             unsigned samples, ProgressSink& progress,
+                                             double* deviceSeconds = nullptr) const;
+
+    // How long the shaders take for such a picture, counting nothing.
+    [[nodiscard]] Result<double> frameSeconds(vulkan::Painter& painter, const trace::RenderSettings& settings,
+                                              unsigned samples) const;
 
     [[nodiscard]] const vulkan::Device& device() const { return *device_; }
     [[nodiscard]] const vulkan::RayScene& scene() const { return scene_; }

@@ -31,6 +31,9 @@ namespace {
 
 using trace::Method;
 
+// The method that no CPU has: flat micromaps that the device itself looks into.
+constexpr std::string_view hardwareMethod = "hardware";
+
 Status checkFiles(const RenderOptions& options) {
     for (const auto& file : {options.output, options.heatmap, options.triptych}) {
         if (file.empty() || file.extension() == ".png") continue;
@@ -71,10 +74,18 @@ Status checkBeside(const RenderOptions& options) {
 Status checkBackend(const RenderOptions& options) {
     if (options.backend != "cpu" && options.backend != "vulkan")
         return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
+    if (!options.build.empty() && options.method != hardwareMethod)
+        return Error{ErrorKind::usage, "--build: goes with --method hardware"};
+    if (!options.build.empty() && !vulkan::structureBuildNamed(options.build))
+        return Error{ErrorKind::usage,
+                     fmt::format("--build {}: choose fast-trace or fast-build", options.build)};
     if (options.backend == "cpu") {
-        if (options.device.empty() && options.path.empty()) return {};
-        return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan",
-                                                   options.device.empty() ? "--path" : "--device")};
+        const std::string_view needs = options.method == hardwareMethod ? "--method hardware"
+                                       : !options.device.empty()        ? "--device"
+                                       : !options.path.empty()          ? "--path"
+                                                                        : "";
+        if (needs.empty()) return {};
+        return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan", needs)};
     }
     if (options.defer)
         return Error{ErrorKind::unsupported,
@@ -264,14 +275,23 @@ class Rendering {
         return film;
     }
 
+    // None where shaders decide.
+    [[nodiscard]] std::optional<vulkan::StructureBuild> buildFor(const OpacityInput& input) const {
+        if (options_.method != hardwareMethod || input.opacity->method() != method_) return {};
+        return vulkan::structureBuildNamed(options_.build).value_or(vulkan::StructureBuild::fastTrace);
+    }
+
     Result<trace::Film> renderedByDevice(const OpacityInput& input) {
-        auto painter = device_->prepare(input, maps_);
+        auto painter = device_->prepare(input, maps_, {{}, buildFor(input)});
         if (!painter) return painter.error().within("--backend vulkan");
         const Stopwatch watch;
         progress_.begin(nameOf(input.opacity->method()),
                         uint64_t{options_.spp} * options_.width * options_.height, "pixels");
-        auto film = device_->render(*painter, settings_, options_.spp, progress_);
+        double deviceSeconds = 0;
+        auto film = device_->render(*painter, settings_, options_.spp, progress_, &deviceSeconds);
         progress_.end();
+        if (summary_.deviceSeconds == 0) summary_.deviceSeconds = deviceSeconds;
+        if (buildFor(input)) hardwareBytes_ = painter->opacityBytes();
         if (summary_.seconds == 0) summary_.seconds = watch.seconds();
         if (!film || !hasStates(input.opacity->method())) return film;
         for (trace::RayCounts& counts : film->counters.of) counts.unknown = counts.textureFetches;
@@ -378,6 +398,10 @@ class Rendering {
             summary_.device = device_->device().facts().name;
             summary_.driver = device_->device().facts().driver;
             summary_.path = nameOf(device_->path());
+            if (options_.method == hardwareMethod) {
+                summary_.build = options_.build.empty() ? "fast-trace" : options_.build;
+                summary_.opacityBytes = hardwareBytes_;
+            }
             const vulkan::RayScene::Bytes onDevice = device_->scene().bytes();
             if (summary_.grids) summary_.grids->bytes = onDevice.gridWords + onDevice.gridStructures;
         }
@@ -401,6 +425,7 @@ class Rendering {
     std::optional<trace::World> world_;  // of both
     std::optional<DeviceScene> device_;  // none: the CPU renders
     SceneMaps maps_;
+    uint64_t hardwareBytes_ = 0;
     std::vector<MethodFilm> films_;  // the picture; then the texture's, where it is compared; then others
     RenderSummary summary_;
 };
@@ -427,7 +452,8 @@ double RenderSummary::mraysPerSecond() const {
 
 Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress) {
     if (auto checked = checkFiles(options); !checked) return checked.error();
-    const auto method = findMethod(options.method, "--method");
+    const auto method = options.method == hardwareMethod ? Result<Method>(Method::micromap)
+                                                         : findMethod(options.method, "--method");
     if (!method) return method.error();
     const auto integrator = trace::integratorNamed(options.integrator);
     if (!integrator) {
@@ -468,6 +494,8 @@ std::string toJson(const RenderSummary& s) {
         json["device"] = s.device;
         json["driver"] = s.driver;
         json["path"] = s.path;
+        json["build"] = s.build.empty() ? Json(nullptr) : Json(s.build);
+        json["device_seconds"] = s.deviceSeconds;
     }
     json["ray_kinds"] = Json::object();
     for (size_t k = 0; k < trace::rayKindCount; ++k) {

@@ -62,6 +62,9 @@ struct RenderOptions {
     std::string backend = "cpu";
     std::string device;
     std::string path;  // how a device traces: "query" or "pipeline"; empty: queries where it has them
+    // The method "hardware" alone: what the device's own micromaps are built for, "fast-trace" or
+    // "fast-build"; empty: fast-trace.
+    std::string build;
 };
 
 // What a picture cost where the texture is asked every time, and how far it differs.
@@ -102,6 +105,8 @@ struct RenderSummary {
     std::string device;  // its name and driver; empty: the CPU
     std::string driver;
     std::string path;
+    std::string build;         // of hardware micromaps; empty: the method is another
+    double deviceSeconds = 0;  // that the shaders took, by the device's clock
     std::optional<RenderedGrids> grids;
     std::vector<std::string> notes;
 
