@@ -1,7 +1,5 @@
 // What a ray sees where it hits a grid.
 
-const vec3 gridAlbedo = vec3(0.36, 0.33, 0.28);
-
 vec3 normalOfVertex(uint first, uint vertex) {
     const uint at = first + 3u * vertex;
     return vec3(real(at), real(at + 1u), real(at + 2u));

@@ -1,9 +1,5 @@
 // Sky, sun and the integrators of the CPU backend (src/trace/integrate.cpp).
 
-const vec3 sunlight = vec3(2.6, 2.35, 1.9);
-const vec3 haze = vec3(1.1, 1.3, 1.5);
-const vec3 zenith = vec3(0.35, 0.7, 1.4);
-
 vec3 sky(vec3 direction) {
     const float share = clamp(direction.y, 0.0, 1.0);
     return haze * (1.0 - share) + zenith * share;
@@ -32,7 +28,7 @@ struct Walk {
 };
 
 vec3 towardsSun() {
-    return unit(vec3(0.45, 0.75, 0.42));
+    return unit(sunDirection);
 }
 
 Ray rayFrom(Place place, vec3 direction, float reach, uint kind, inout RandomStream random) {
@@ -43,7 +39,7 @@ Ray rayFrom(Place place, vec3 direction, float reach, uint kind, inout RandomStr
 void addSun(inout Walk walk, bool isLit) {
     const vec3 sun = isLit ? sunlight * dot(walk.place.normal, towardsSun()) : vec3(0.0);
     if (integrator == 1u) {
-        walk.light = walk.place.albedo * (vec3(0.5, 0.6, 0.7) + sun);
+        walk.light = walk.place.albedo * (shade + sun);
     } else {
         walk.light += walk.throughput * sun;
     }
@@ -61,7 +57,7 @@ bool bounceOn(inout Walk walk, inout RandomStream random, out Ray ray) {
 // The next ray from a place that the camera or a path sees, if there is one.
 bool leave(inout Walk walk, vec3 direction, inout RandomStream random, out Ray ray) {
     if (integrator == 0u) {
-        walk.light = walk.place.albedo * (0.4 + 1.4 * abs(dot(walk.place.normal, direction)));
+        walk.light = walk.place.albedo * (headlightLeast + headlightMore * abs(dot(walk.place.normal, direction)));
         return false;
     }
     if (integrator == 2u) {
@@ -81,7 +77,7 @@ bool leave(inout Walk walk, vec3 direction, inout RandomStream random, out Ray r
 // What follows a ray, if anything does; `hit` and `place` are what it met.
 bool follow(inout Walk walk, bool hit, Place place, inout RandomStream random, inout Ray ray) {
     if (ray.kind == kindAo) {
-        walk.light = vec3(hit ? 0.0 : 1.6);
+        walk.light = vec3(hit ? 0.0 : openLight);
         return false;
     }
     if (ray.kind == kindShadow) {

@@ -1,4 +1,7 @@
 // Rays through the scene, and the places that they hit.
+#define LIGHT(name, red, green, blue) const vec3 name = vec3(red, green, blue);
+#define LIGHT_NUMBER(name, value) const float name = value;
+#include "light_values.glsl"
 
 const uint kindPrimary = 0u;
 const uint kindShadow = 1u;

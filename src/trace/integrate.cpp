@@ -19,11 +19,13 @@ namespace {
 
 constexpr float farthest = std::numeric_limits<float>::infinity();
 constexpr Vec3 plainAlbedo{0.6F, 0.6F, 0.6F};
-constexpr Vec3 gridAlbedo{0.36F, 0.33F, 0.28F};
-constexpr Vec3 sunlight{2.6F, 2.35F, 1.9F};
-constexpr Vec3 haze{1.1F, 1.3F, 1.5F};
-constexpr Vec3 zenith{0.35F, 0.7F, 1.4F};
-const Vec3 towardsSun = normalised({0.45F, 0.75F, 0.42F});
+// Those of devices, too.
+#define LIGHT(name, red, green, blue) constexpr Vec3 name{red##F, green##F, blue##F};
+#define LIGHT_NUMBER(name, value) constexpr float name = value##F;
+#include "trace/light_values.glsl"
+#undef LIGHT
+#undef LIGHT_NUMBER
+const Vec3 towardsSun = normalised(sunDirection);
 
 Vec3 product(const Vec3& a, const Vec3& b) {
     return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
@@ -104,11 +106,12 @@ class Walker {
         ++pixelsHit_;
         switch (settings_.integrator) {
             case Integrator::primary:
-                return times(place->albedo, 0.4F + 1.4F * std::fabs(dot(place->normal, direction)));
+                return times(place->albedo,
+                             headlightLeast + headlightMore * std::fabs(dot(place->normal, direction)));
             case Integrator::shadow:
-                return product(place->albedo, plus(Vec3{0.5F, 0.6F, 0.7F}, sunAt(*place, random)));
+                return product(place->albedo, plus(shade, sunAt(*place, random)));
             case Integrator::ao:
-                return times({1.6F, 1.6F, 1.6F}, isOpen(*place, random) ? 1.0F : 0.0F);
+                return times({openLight, openLight, openLight}, isOpen(*place, random) ? 1.0F : 0.0F);
             case Integrator::path:
                 break;
         }
