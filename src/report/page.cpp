@@ -49,10 +49,17 @@ std::string blockHtml(const Figure& figure) {
                        escapeHtml(figure.caption), commandHtml(figure.command));
 }
 
+// A command that made all figures stands once, below them.
 std::string blockHtml(const FigureRow& row) {
-    std::string out = "<div class=\"row\">\n";
-    for (const Figure& figure : row.figures) out += blockHtml(figure);
-    return out + "</div>\n";
+    const auto isShared = [&](const Figure& f) { return f.command == row.figures.front().command; };
+    if (row.figures.empty()) return "";
+    const bool once = std::ranges::all_of(row.figures, isShared);
+    std::string out = "<figure>\n<div class=\"row\">\n";
+    for (Figure figure : row.figures) {
+        if (once) figure.command.clear();
+        out += blockHtml(figure);
+    }
+    return out + "</div>\n" + (once ? commandHtml(row.figures.front().command) : "") + "</figure>\n";
 }
 
 std::string blockHtml(const Paragraph& paragraph) {

@@ -93,7 +93,8 @@ void Plot::addYAxis(const Axis& axis, const Scale& scale, const Axis& xAxis) {
         widest = std::max(widest, textWidth(axisText(axis, tick), textSize));
     const bool labelled = !labelOf(axis).empty();
     top += 8;
-    bottom -= 20 + (labelOf(xAxis).empty() ? 0 : 20);
+    hasXLabel_ = !labelOf(xAxis).empty();
+    bottom -= 20 + (hasXLabel_ ? 20 : 0);
     left += widest + 8 + (labelled ? 20 : 0);
     for (const double tick : scale.ticks()) {
         const double y = yOf(scale.at(tick));
@@ -106,24 +107,27 @@ void Plot::addYAxis(const Axis& axis, const Scale& scale, const Axis& xAxis) {
         drawing.shapes.push_back(Text{26, (top + bottom) / 2, shortened(labelOf(axis), bottom - top),
                                       textSize, Anchor::middle, Ink::text, false, true});
     }
-    if (!labelOf(xAxis).empty()) {
+    if (hasXLabel_) {
         drawing.shapes.push_back(Text{(left + right) / 2, bottom + 38, labelOf(xAxis), textSize,
                                       Anchor::middle, Ink::text, false, false});
     }
 }
 
-// Long names are cut where a slot has room for some of them; short ones (bins) are thinned out.
+// Long names are cut where a slot has room for some of them; short ones (bins) stand in two rows or are
+// thinned out.
 void Plot::addXTicks(const std::vector<TickLabel>& ticks, double room) {
     double widest = 0;
     for (const TickLabel& tick : ticks) widest = std::max(widest, textWidth(tick.text, textSize) + 6);
     const bool cut = room >= 60;
     const size_t every = cut || room <= 0 ? 1 : static_cast<size_t>(std::max(1.0, std::ceil(widest / room)));
-    for (size_t i = 0; i < ticks.size(); i += every) {
+    // Two rows hold them all where nothing stands below.
+    const bool inRows = every == 2 && !hasXLabel_;
+    for (size_t i = 0; i < ticks.size(); i += inRows ? 1 : every) {
         const std::string text = cut ? shortened(ticks[i].text, room - 6) : ticks[i].text;
         const double half = textWidth(text, textSize) / 2;
         const double x = std::min(xOf(ticks[i].at), drawing.width - half - 2);
-        drawing.shapes.push_back(
-            Text{x, bottom + 18, text, textSize, Anchor::middle, Ink::faint, false, false});
+        const double y = bottom + (inRows && i % 2 == 1 ? 31 : 18);
+        drawing.shapes.push_back(Text{x, y, text, textSize, Anchor::middle, Ink::faint, false, false});
     }
 }
 

@@ -45,6 +45,9 @@ class Plot {
     double top = 16;
     double bottom;
     Drawing drawing;
+
+  private:
+    bool hasXLabel_ = false;
 };
 
 // A value on an axis, as text.

@@ -4,6 +4,7 @@
 
 #include "report/scale.h"
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 #include <vector>
@@ -111,6 +112,20 @@ TEST(Chart, longNamesAndManyCategoriesStayInside) {
     chart.categories.assign(300, "12345");
     chart.series[0].values.assign(300, 1e9);
     expectInside(layOut(chart));
+}
+
+TEST(Chart, shortNamesStandInTwoRows) {
+    BarChart chart = levels();
+    chart.x = {};
+    chart.categories.assign(14, "micromap");
+    chart.series[0].values.assign(14, 3);
+    const Drawing drawing = layOut(chart);
+    const auto texts = shapesOf<Text>(drawing);
+    EXPECT_EQ(std::ranges::count(texts, "micromap", &Text::text), 14);
+    expectInside(drawing);
+    chart.x = {"method"};
+    const auto thinned = shapesOf<Text>(layOut(chart));
+    EXPECT_EQ(std::ranges::count(thinned, "micromap", &Text::text), 7);
 }
 
 TEST(Chart, badNumbersAreLeftOut) {

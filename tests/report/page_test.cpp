@@ -80,6 +80,22 @@ TEST(Page, picturesCarryTheirScale) {
     EXPECT_THAT(html, HasSubstr("none"));
 }
 
+TEST(Page, aRowSaysItsCommandOnce) {
+    const auto codes = [](const std::vector<Figure>& figures) {
+        Page page;
+        page.sections = {{"", {FigureRow{figures}}}};
+        const std::string html = toHtml(page);
+        size_t count = 0;
+        for (size_t at = html.find("<code>"); at != std::string::npos; at = html.find("<code>", at + 1))
+            ++count;
+        return count;
+    };
+    const auto figure = [](const char* command) { return Figure{layOut(BarChart{}), "Bars", command}; };
+    EXPECT_EQ(codes({figure("a"), figure("a"), figure("a")}), 1U);
+    EXPECT_EQ(codes({figure("a"), figure("b"), figure("")}), 2U);
+    EXPECT_EQ(codes({}), 0U);
+}
+
 TEST(Page, picturesTooLargeToEmbedAreLinked) {
     Page page;
     page.sections = {{"", {Figure{Picture{{}, 0, 0, "", "big.png"}, "Big", ""}}}};
