@@ -92,10 +92,10 @@ report::Table timeTable(const GridsSummary& s) {
 }
 
 std::string leadOf(const GridsSummary& s) {
-    return fmt::format("{} triangles, {} of them in {} grids, in {:.3f} bytes each: all that rays need.",
-                       report::formatCount(s.statistics.triangles),
+    return fmt::format("{} triangles in {:.3f} bytes each, which is all that rays need; {} of them in {} {}.",
+                       report::formatCount(s.statistics.triangles), s.bytesPerTriangle(),
                        report::formatShare(s.statistics.inGridShare()), report::formatCount(s.grids),
-                       s.bytesPerTriangle());
+                       s.grids == 1 ? "grid" : "grids");
 }
 
 std::string piecesCaption(grid::Codec codec) {
@@ -120,6 +120,13 @@ Result<report::Section> surfaceSection(const GridViews& views, grid::Codec codec
     return report::Section{"The surface", {std::move(row)}};
 }
 
+// By a whole factor, to about the width of a chart.
+void enlarge(report::Picture& picture) {
+    const uint32_t times = std::max(1U, 540 / std::max(1U, picture.width));
+    picture.width *= times;
+    picture.height *= times;
+}
+
 Result<report::Section> errorSection(const GridViews& views, const GridsSummary& s,
                                      const GridViewSource& source, const std::string& command) {
     auto surface = pictureOf(views.error, "The surface in the colours of its error");
@@ -128,6 +135,7 @@ Result<report::Section> errorSection(const GridViews& views, const GridsSummary&
     auto map = pictureOf(flat.picture, "The errors of all sub-grids, side by side");
     if (!map) return map.error();
     map->pixelated = true;
+    enlarge(*map);
     report::Section section{"Error", {}};
     report::Figure view{
         std::move(*surface),
@@ -164,7 +172,7 @@ report::Section memorySection(const GridsSummary& s, const grid::GridMesh& mesh,
     section.blocks.emplace_back(report::chartFigure(
         memoryChart(s, mesh),
         "12 bytes a vertex and 12 a triangle, before any hierarchy, beside all that rays need of the grids. "
-        "`bench grids` measures what Embree takes.",
+        "filigree bench grids measures what Embree takes.",
         command));
     return section;
 }

@@ -133,6 +133,20 @@ HeatPanel heatPanel(const HeatSource& source, double end) {
     return panel;
 }
 
+HeatPanel halvedHeatPanel(const HeatSource& source, double end) {
+    const uint32_t width = source.width / 2;
+    const uint32_t height = source.height / 2;
+    if (width == 0 || height == 0) return heatPanel(source, end);
+    std::vector<uint32_t> sums(size_t{width} * height);
+    for (uint32_t y = 0; y < 2 * height; ++y) {
+        for (uint32_t x = 0; x < 2 * width; ++x)
+            sums[size_t{y / 2} * width + x / 2] += source.sums[size_t{y} * source.width + x];
+    }
+    HeatPanel panel = heatPanel({source.what, sums, width, height, 4 * source.samples}, end);
+    panel.scale.note = meanAndMaximum(source);
+    return panel;
+}
+
 Canvas triptych(const scene::ColourImage& picture, std::string_view method, const HeatSource& without,
                 const HeatSource& with) {
     const uint32_t zoom = std::max(1u, (leastPanel + picture.width - 1) / picture.width);

@@ -39,6 +39,8 @@ struct HeatPanel {
     report::ColourScale scale;
 };
 HeatPanel heatPanel(const HeatSource& source, double end);
+// A pixel is the mean of two by two, of which none is absent; an odd last column or row is left out.
+HeatPanel halvedHeatPanel(const HeatSource& source, double end);
 
 // A picture, and the counts without and with micromaps, side by side on one scale (Waldemarson and Doggett
 // 2024, figure 1). All three have one size.
