@@ -497,7 +497,8 @@ typedef struct filigree_squares filigree_squares;
 
 // Pairs the triangles over shared edges and encodes a square for each pair, equal ones once; the same
 // whatever the context. Vertices are one where their positions are equal, or their texture coordinates where
-// `triangles` has no positions.
+// `triangles` has no positions. Where C++'s own memory runs out in the midst of the pairing, LEMON, which
+// does it, may lose a few bytes.
 FILIGREE_API filigree_error filigree_squares_encode(
     const filigree_context* context, const filigree_triangles* triangles, const filigree_image* image,
     const filigree_alpha_test* test, filigree_square_format format, const filigree_progress* progress,

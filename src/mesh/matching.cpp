@@ -1,15 +1,23 @@
 #include "mesh/matching.h"
 
-// The graph stays on one thread, and without memory the library would throw with its lock held.
+// The library's lock would stay locked where an allocation throws. The graph never leaves its thread: no
+// lock.
+#define LEMON_BITS_LOCK_H
+namespace lemon::bits {
+struct Lock {
+    void lock() {}
+    void unlock() {}
+};
+}  // namespace lemon::bits
+
 #define LEMON_ONLY_TEMPLATES
-#include <lemon/config.h>
-#undef LEMON_USE_PTHREAD
 #include <lemon/matching.h>
 #include <lemon/smart_graph.h>
 
 namespace filigree::mesh {
 
 std::vector<size_t> maximumWeightMatching(size_t nodes, const std::vector<WeightedEdge>& edges) {
+    if (edges.empty()) return {};
     using Graph = lemon::SmartGraph;
     Graph graph;
     graph.reserveNode(static_cast<int>(nodes));
