@@ -11,7 +11,6 @@ target_link_libraries(filigree_shared PRIVATE $<BUILD_INTERFACE:filigree_flags>)
 target_include_directories(filigree_shared INTERFACE "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>")
 set_target_properties(filigree_shared PROPERTIES OUTPUT_NAME filigree EXPORT_NAME shared LINKER_LANGUAGE CXX
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
-target_compile_features(filigree_shared INTERFACE $<$<COMPILE_LANGUAGE:CXX>:cxx_std_20>)
 
 # Instances of the standard library's templates are shown whatever the compiler is told: the linker hides them.
 target_link_options(filigree_shared PRIVATE -Wl,--version-script=${CMAKE_CURRENT_LIST_DIR}/shown.map)
