@@ -211,7 +211,8 @@ class DemoPage(PageTest):
         self.assertEqual(told, expected)
 
     def test_pages_fit_every_window(self):
-        pages = {"demo": "index.html", "compare": "compare.html", "vq": "vq/index.html"}
+        pages = {"demo": "index.html", "compare": "compare.html", "vq": "vq/index.html", "view": "view.html",
+                 "terrain": "terrain.html", "terrain-view": "terrain-view.html"}
         for (width, height, phone) in ((1400, 900, False), (390, 844, True)):
             for name, page in pages.items():
                 self.browser.size(width, height, phone)
@@ -219,7 +220,23 @@ class DemoPage(PageTest):
                 self.browser.open(self.folder / page)
                 self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), width, page)
                 self.picture(f"{name}-{width}")
-        self.expect_sorted("figure.table table", 1)
+                self.expect_sorted("figure.table table", 1)
+
+    def test_the_index_leads_to_every_page(self):
+        links = self.browser.run("return [...document.querySelectorAll('main a[href]')].map((a) => a.getAttribute('href'));")
+        files = {link for link in links if not link.startswith("#")}
+        pages = {str(page.relative_to(self.folder)) for page in self.folder.rglob("*.html")} - {"index.html"}
+        self.assertLessEqual(pages, files)
+        self.assertGreaterEqual(len(pages), 5)
+        for file in files:
+            self.assertTrue((self.folder / file).exists(), file)
+
+    def test_pictures_have_their_scales(self):
+        for page, scales in (("view.html", 8), ("terrain.html", 2)):
+            self.browser.open(self.folder / page)
+            broken = self.browser.run("return [...document.images].filter((image) => !image.naturalWidth).length;")
+            self.assertEqual(broken, 0, page)
+            self.assertGreaterEqual(self.browser.run("return document.querySelectorAll('figure img ~ .scale svg, figure a ~ .scale svg').length;"), scales, page)
 
     def test_times(self):
         self.report("demo", self.seconds)
