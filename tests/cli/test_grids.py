@@ -184,6 +184,24 @@ class Grids(CliTest):
         self.expect_error(2, "grids", "hills.png", "-o", "x.fil", "--cell", "0", says="cell")
         self.expect_error(2, "grids", "hills.png", "-o", "x.fil", "--height-scale", "nan", says="height")
 
+    def test_backend_vulkan_renders_grids(self):
+        small = ("--size", "48x32", "--spp", "1", "--integrator", "shadow", "--json", "r.json")
+        device = ("--backend", "vulkan")
+        tried = self.run_program("render", "leaf.glb", "-o", "out.png", *small, *device, "--method", "texture")
+        if tried.returncode == 1:
+            self.skipTest(tried.stderr.strip())
+        self.grids("hills.png")
+        self.expect_done("render", "out.fil", "-o", "cpu.png", *small)
+        cpu = self.result()
+        self.expect_done("render", "out.fil", "-o", "device.png", *small, *device)
+        result = self.result()
+        self.assertEqual(result["grids"]["triangles"], cpu["grids"]["triangles"])
+        self.assertGreater(result["grids"]["bytes"], 0)
+        self.assertAlmostEqual(result["rays"], cpu["rays"], delta=4)
+        self.expect_done("render", "out.fil", "-o", "out.png", *small, *device, "--scene", "leaf.glb")
+        self.grids("hills.png", "--codec", "paper")
+        self.expect_error(1, "render", "out.fil", "-o", "out.png", *small, *device, says="codec paper")
+
     def test_truncated_files_are_refused(self):
         self.grids("sheet.ply")
         whole = (self.folder / "out.fil").read_bytes()

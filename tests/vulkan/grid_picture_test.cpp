@@ -96,13 +96,8 @@ void addNormals(grid::GridMesh& mesh) {
     mesh.looseNormals = mesh.looseVertices;
 }
 
-TEST_F(VulkanGridPictures, OfTilesAndClustersAreThoseOfTheCpu) {
-    setGrids(grid::tests::mixedBox(21));
-    expectPicturesOfTheCpu(Method::none);
-}
-
 TEST_F(VulkanGridPictures, WithNormalsAreThoseOfTheCpu) {
-    grid::GridMesh mesh = grid::tests::mixedBox(9);
+    grid::GridMesh mesh = grid::tests::mixedBox(21);
     addNormals(mesh);
     setGrids(std::move(mesh));
     expectPicturesOfTheCpu(Method::none);
