@@ -1,11 +1,17 @@
 #include "filigree/bvh/build.h"
 
+#include "filigree/core/stage.h"
+
 #include "bvh/emit.h"
 #include "bvh/subtree.h"
 #include "bvh/top_tree.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace filigree::bvh {
 namespace {
@@ -103,19 +109,51 @@ class Assembly {
 
 }  // namespace
 
-Bvh build(std::span<const Box> boxes, const Executor& executor) {
-    assert(!boxes.empty() && boxes.size() <= size_t{1} << 31);
+namespace {
+
+constexpr size_t mostBoxes = size_t{1} << 31;
+
+bool isUsable(const Box& box) {
+    const auto fits = [](float c) { return std::fabs(c) < 0x1p127F; };
+    return !box.empty() && std::ranges::all_of(box.low, fits) && std::ranges::all_of(box.high, fits);
+}
+
+Status checkBoxes(std::span<const Box> boxes) {
+    if (boxes.empty() || boxes.size() > mostBoxes)
+        return Error{ErrorKind::usage, fmt::format("{} boxes, expected 1 to {}", boxes.size(), mostBoxes)};
+    for (size_t k = 0; k < boxes.size(); ++k) {
+        if (!isUsable(boxes[k])) return Error{ErrorKind::usage, fmt::format("box {} is empty or too far", k)};
+    }
+    return {};
+}
+
+Result<Bvh> buildStage(std::span<const Box> boxes, const Executor& executor, ProgressSink& progress) {
+    const Stage stage(executor, progress, "hierarchy", boxes.size(), "boxes");
     const TopTree top = buildTopTree(boxes, rangeLimitOf(boxes.size()), executor);
     std::vector<Subtree> subtrees(top.ranges.size());
-    executor.parallelFor(subtrees.size(), 1, [&](size_t first, size_t last) {
+    stage.parallelFor(subtrees.size(), 1, [&](size_t first, size_t last) {
         for (size_t k = first; k < last; ++k) {
             const Range& range = top.ranges[k];
+            stage.advance(range.count());
             if (range.count() == 1) continue;
             subtrees[k] =
                 buildSubtree(boxes, std::span(top.indices).subspan(range.begin, range.count()), range.depth);
         }
     });
+    if (const Status status = stage.status(); !status) return status.error();
     return Assembly(top, subtrees).assemble(executor);
+}
+
+}  // namespace
+
+Bvh build(std::span<const Box> boxes, const Executor& executor) {
+    assert(!boxes.empty() && boxes.size() <= mostBoxes);
+    return std::move(*buildStage(boxes, executor, silentProgress()));
+}
+
+Result<Bvh> build(std::span<const Box> boxes, const Executor& executor, ProgressSink& progress) {
+    if (const Status status = checkBoxes(boxes); !status) return status.error();
+    return buildStage(boxes, executor, progress);
 }
 
 }  // namespace filigree::bvh

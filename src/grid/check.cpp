@@ -1,6 +1,7 @@
 #include "filigree/grid/check.h"
 
 #include "filigree/bvh/build.h"
+#include "filigree/core/stage.h"
 #include "filigree/grid/cluster.h"
 #include "filigree/grid/tile.h"
 
@@ -136,11 +137,12 @@ class BoxCheck {
 
 // Runs body(k) -> Status for all k and gives the failure of least k.
 template <class Body>
-Status firstFailure(size_t count, const Executor& executor, const Body& body) {
+Status firstFailure(size_t count, const Stage& stage, const Body& body) {
     std::mutex mutex;
     size_t worst = count;
     Status failure;
-    executor.parallelFor(count, 256, [&](size_t begin, size_t end) {
+    stage.parallelFor(count, 256, [&](size_t begin, size_t end) {
+        stage.advance(end - begin);
         for (size_t k = begin; k < end; ++k) {
             const Status status = body(k);
             if (status) continue;
@@ -225,7 +227,7 @@ QuadRange quadsOfPaper(const uint8_t* record) {
 
 }  // namespace
 
-Status check(const EncodedGrids& grids, const Executor& executor) {
+Status check(const EncodedGrids& grids, const Executor& executor, ProgressSink& progress) {
     if (const Status status = checkLatticeNumbers(grids.lattice); !status) return status;
     const auto base = grids.paper.exponentBase;
     if (base < PaperCode::leastBase || base > PaperCode::mostBase)
@@ -235,13 +237,15 @@ Status check(const EncodedGrids& grids, const Executor& executor) {
     if (const Status status = bvh::check(grids.nodes, grids.leafCount()); !status) return status;
     const RecordCheck records(grids);
     std::vector<Box> boxes(grids.leafCount());
-    const Status status = firstFailure(boxes.size(), executor, [&](size_t k) -> Status {
+    const Stage stage(executor, progress, "check", boxes.size(), "records");
+    const Status status = firstFailure(boxes.size(), stage, [&](size_t k) -> Status {
         const Result<Box> box = records.boxOf(k);
         if (!box) return box.error();
         boxes[k] = *box;
         return {};
     });
     if (!status) return status;
+    if (const Status whole = stage.status(); !whole) return whole;
     return BoxCheck(grids.nodes, boxes).run();
 }
 

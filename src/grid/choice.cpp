@@ -24,14 +24,17 @@ double savingOf(const GrownGrid& grid) {
 // that is looked for.
 class Choosing {
   public:
-    Choosing(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules)
-        : topology_(topology),
+    Choosing(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules,
+             const Stage& stage)
+        : stage_(stage),
+          topology_(topology),
           growth_(topology, positions, rules),
           hopes_(topology.triangles.size(), UINT32_MAX),
           free_(topology.triangles.size()) {}
 
     Choice choose() {
         for (uint64_t least = uint64_t{1} << 22; least > 0; least /= 4) takeFrom(least);
+        stage_.advance(free_);
         for (uint32_t t = 0; t < hopes_.size(); ++t) {
             if (growth_.isFree(t) || !topology_.hasThreeVertices(t)) choice_.loose.push_back(t);
         }
@@ -43,10 +46,12 @@ class Choosing {
     void takeFrom(uint64_t least) {
         for (uint32_t t = 0; t < hopes_.size(); ++t) {
             if (hopes_[t] < least || !growth_.isFree(t)) continue;
+            if (stage_.cancelled()) return;
             growAround(t);
             if (best_.quadCount() >= least && saving_ > 0) {
                 growth_.take(best_);
                 free_ -= 2 * best_.quadCount();
+                stage_.advance(2 * best_.quadCount());
                 choice_.grids.push_back(std::move(best_));
             } else {
                 lowerHopes(t, std::min(best_.quadCount(), least - 1));
@@ -94,6 +99,7 @@ class Choosing {
         hopes_[seed] = saving_ > 0 ? static_cast<uint32_t>(hope) : 0;
     }
 
+    const Stage& stage_;
     const Topology& topology_;
     Growth growth_;
     std::vector<uint32_t> hopes_;  // [triangle_count], quads of the grid that it may come into
@@ -105,8 +111,9 @@ class Choosing {
 
 }  // namespace
 
-Choice chooseGrids(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules) {
-    return Choosing(topology, positions, rules).choose();
+Choice chooseGrids(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules,
+                   const Stage& stage) {
+    return Choosing(topology, positions, rules, stage).choose();
 }
 
 }  // namespace filigree::grid

@@ -1,6 +1,7 @@
 // Which grids a mesh is cut into.
 #pragma once
 
+#include "filigree/core/stage.h"
 #include "filigree/core/vec3.h"
 
 #include "grid/growth.h"
@@ -15,6 +16,8 @@ struct Choice {
     std::vector<uint32_t> loose;   // the triangles in none, rising
 };
 
-Choice chooseGrids(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules);
+// Advances the stage by triangles. Where it is cancelled the choice is no use.
+Choice chooseGrids(const Topology& topology, std::span<const Vec3> positions, const GrowthRules& rules,
+                   const Stage& stage);
 
 }  // namespace filigree::grid

@@ -6,6 +6,7 @@
 #include "filigree/grid/tile.h"
 
 #include "grid/cluster_box.h"
+#include "grid/mesh_check.h"
 #include "grid/record_spans.h"
 #include "grid/snap_paper.h"
 #include "grid/sub_grids.h"
@@ -213,6 +214,7 @@ Result<Lattice> fineLattice(const GridMesh& mesh) {
 
 Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptions& options, const Executor& executor,
                                   ProgressSink& progress) {
+    if (const Status status = checkTables(mesh, executor); !status) return status.error();
     if (const Status status = checkMesh(mesh, options); !status) return status.error();
     Result<GridRecords> records = frameOf(mesh, options);
     if (!records) return records.error();
@@ -234,16 +236,21 @@ Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptions& options, 
 }
 
 EncodedGrids buildGrids(GridRecords records, const Executor& executor) {
+    return std::move(*buildGrids(std::move(records), executor, silentProgress()));
+}
+
+Result<EncodedGrids> buildGrids(GridRecords records, const Executor& executor, ProgressSink& progress) {
+    Result<bvh::Bvh> bvh = bvh::build(records.boxes, executor, progress);
+    if (!bvh) return bvh.error();
     EncodedGrids grids;
     grids.codec = records.codec;
     grids.lattice = records.lattice;
     grids.paper = records.paper;
-    bvh::Bvh bvh = bvh::build(records.boxes, executor);
-    grids.nodes = std::move(bvh.nodes);
+    grids.nodes = std::move(bvh->nodes);
     const RecordSpans from(records.offsets, records.records.size());
     grids.records.reserve(records.records.size() + EncodedGrids::recordSlack);
     grids.offsets.reserve(records.offsets.size());
-    for (const uint32_t leaf : bvh.order) {
+    for (const uint32_t leaf : bvh->order) {
         const auto record =
             std::span<const uint8_t>(records.records).subspan(from.begin(leaf), from.size(leaf));
         const auto offset = static_cast<uint32_t>(grids.records.size() / EncodedGrids::recordUnit);
@@ -261,7 +268,7 @@ Result<EncodedGrids> encodeGrids(GridMesh& mesh, const EncodeOptions& options, c
                                  ProgressSink& progress) {
     Result<GridRecords> records = encodeRecords(mesh, options, executor, progress);
     if (!records) return records.error();
-    return buildGrids(std::move(*records), executor);
+    return buildGrids(std::move(*records), executor, progress);
 }
 
 }  // namespace filigree::grid

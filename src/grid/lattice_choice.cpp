@@ -135,7 +135,8 @@ Result<Lattice> latticeForError(const GridMesh& mesh, double maxError) {
     return latticeOf(*axes, steps.lattice);
 }
 
-Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor) {
+Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor,
+                              ProgressSink& progress) {
     const auto axes = axesOf(mesh);
     if (!axes) return axes.error();
     if (const Status status = checkWanted(*axes, rms, "RMS error"); !status) return status.error();
@@ -145,6 +146,7 @@ Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& 
     double best = 0;
     std::optional<Lattice> chosen;
     for (unsigned attempt = 0; attempt < 8 || !chosen; ++attempt) {
+        if (progress.cancelled()) return Error{ErrorKind::cancelled, "stopped while choosing a lattice"};
         const Steps steps = stepsFor(*axes, [&](unsigned free) { return aim * std::sqrt(12.0 / free); });
         const auto lattice = latticeOf(*axes, steps.lattice);
         if (!lattice || steps.free == 0) return lattice;

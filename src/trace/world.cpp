@@ -1,3 +1,4 @@
+#include "filigree/core/stage.h"
 #include "filigree/grid/encode_grids.h"
 
 #include "trace/filter.h"
@@ -43,10 +44,22 @@ bool isUsable(const std::array<float, 16>& m, const Box& box) {
     return true;
 }
 
+bool goesOn(void* stage, double) {
+    return !static_cast<const Stage*>(stage)->cancelled();
+}
+
+uint64_t triangleCountOf(const scene::Scene& scene) {
+    uint64_t count = 0;
+    for (const auto& mesh : scene.meshes) {
+        for (const auto& primitive : mesh.primitives) count += primitive.triangleCount();
+    }
+    return count;
+}
+
 class Builder {
   public:
-    Builder(const scene::Scene& scene, const WorldOptions& options, World::Data& to)
-        : scene_(scene), options_(options), to_(to) {}
+    Builder(const scene::Scene& scene, const WorldOptions& options, const Stage& stage, World::Data& to)
+        : scene_(scene), options_(options), stage_(stage), to_(to) {}
 
     Status run() {
         to_.device.reset(rtcNewDevice(nullptr));
@@ -55,8 +68,13 @@ class Builder {
         countSurfaces();
         boxes_.resize(scene_.meshes.size());
         triangles_.resize(scene_.meshes.size());
-        for (const auto& mesh : scene_.meshes) addMesh(mesh);
+        for (const auto& mesh : scene_.meshes) {
+            if (stage_.cancelled()) return stage_.status();
+            addMesh(mesh);
+        }
+        if (stage_.cancelled()) return stage_.status();
         placeInstances();
+        if (const Status whole = stage_.status(); !whole) return whole;
         placeGrids();
         note("triangles with vertices that are not finite, left out", droppedTriangles_);
         note("instances with transforms that are not finite, flatten to nothing or reach too far, left out",
@@ -66,6 +84,12 @@ class Builder {
     }
 
   private:
+    void commit(RTCScene scene) const {
+        rtcSetSceneProgressMonitorFunction(scene, goesOn, const_cast<Stage*>(&stage_));
+        rtcCommitScene(scene);
+        rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+    }
+
     // Surfaces must not move once Embree knows them.
     void countSurfaces() {
         size_t count = 0;
@@ -86,7 +110,8 @@ class Builder {
             }
             triangles_[number] += primitive.triangleCount();
         }
-        if (triangles_[number] > 0) rtcCommitScene(owner.get());
+        if (triangles_[number] > 0) commit(owner.get());
+        stage_.advance(triangles_[number]);
         to_.meshes.push_back(std::move(owner));
     }
 
@@ -182,7 +207,7 @@ class Builder {
             }
             place(instance);
         }
-        rtcCommitScene(to_.top.get());
+        commit(to_.top.get());
     }
 
     void place(const scene::Instance& instance) {
@@ -212,6 +237,7 @@ class Builder {
 
     const scene::Scene& scene_;
     const WorldOptions& options_;
+    const Stage& stage_;
     World::Data& to_;
     std::vector<Box> boxes_;           // by mesh, in its own space
     std::vector<uint64_t> triangles_;  // by mesh
@@ -228,9 +254,10 @@ mesh::Uv Surface::coordinatesAt(uint32_t triangle, float u, float v) const {
             static_cast<float>(mixed(t.uv[0].v, t.uv[1].v, t.uv[2].v, u, v))};
 }
 
-Result<World> World::build(const scene::Scene& scene, const WorldOptions& options) {
+Result<World> World::build(const scene::Scene& scene, const WorldOptions& options, ProgressSink& progress) {
     auto data = std::make_unique<Data>();
-    if (auto built = Builder(scene, options, *data).run(); !built) return built.error();
+    const Stage stage(serialExecutor(), progress, "world", triangleCountOf(scene), "triangles");
+    if (auto built = Builder(scene, options, stage, *data).run(); !built) return built.error();
     return World(std::move(data));
 }
 

@@ -108,5 +108,27 @@ TEST(BvhBuild, GivesTheSameNodesForAnyExecutor) {
     }
 }
 
+TEST(BvhBuild, StopsAndRefuses) {
+    const auto boxes = strewnBoxes(5000, 100, 5);
+    uint64_t done = 0;
+    FunctionProgress shown([&](const ProgressReport& report) { done = report.done; });
+    const Result<Bvh> whole = build(boxes, serialExecutor(), shown);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(whole->order, build(boxes, serialExecutor()).order);
+    EXPECT_EQ(done, boxes.size());
+
+    const std::atomic<bool> stop = true;
+    FunctionProgress stopped(stop);
+    EXPECT_EQ(build(boxes, serialExecutor(), stopped).error().kind, ErrorKind::cancelled);
+
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const std::vector<Box>& wrong :
+         {std::vector<Box>{}, std::vector<Box>{Box{}}, std::vector<Box>{{{0, 0, 0}, {1, infinite, 1}}}}) {
+        const Result<Bvh> built = build(wrong, serialExecutor(), silentProgress());
+        ASSERT_FALSE(built);
+        EXPECT_EQ(built.error().kind, ErrorKind::usage);
+    }
+}
+
 }  // namespace
 }  // namespace filigree::bvh

@@ -2,12 +2,15 @@
 #include "filigree/grid/encode_grids.h"
 
 #include "filigree/grid/check.h"
+#include "filigree/grid/convert.h"
 #include "filigree/grid/decode_grids.h"
 #include "filigree/grid/error.h"
 
 #include "sample_grids.h"
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -219,6 +222,58 @@ TEST(FineLattice, HoldsFloatsExactly) {
             }
         }
     }
+}
+
+TEST(EncodeGrids, EveryStageStopsWhenCancelled) {
+    GridMesh mesh = tests::mixedBox(8);
+    const EncodeOptions options = tests::optionsFor(mesh, Codec::lattice);
+    const EncodedGrids whole = tests::encoded(mesh, options);
+    const std::atomic<bool> stop = true;
+    FunctionProgress progress(stop);
+    const Executor& serial = serialExecutor();
+    const auto isCancelled = [](const auto& result) {
+        return !result && result.error().kind == ErrorKind::cancelled;
+    };
+    EXPECT_TRUE(isCancelled(encodeGrids(mesh, options, serial, progress)));
+    EXPECT_TRUE(isCancelled(check(whole, serial, progress)));
+    EXPECT_TRUE(isCancelled(latticeForRms(mesh, 1e-3, serial, progress)));
+    const mesh::FaceMesh faces{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}, {}, {}};
+    EXPECT_TRUE(isCancelled(gridsOf(faces, {}, serial, progress)));
+    const auto records = encodeRecords(mesh, options);
+    ASSERT_TRUE(records);
+    EXPECT_TRUE(isCancelled(buildGrids(*records, serial, progress)));
+}
+
+TEST(EncodeGrids, TablesThatDoNotAgreeAreErrors) {
+    const GridMesh good = tests::mixedBox(4);
+    const EncodeOptions options = tests::optionsFor(good, Codec::lattice);
+    const auto expectError = [&](std::string_view part, auto&& change) {
+        GridMesh mesh = good;
+        change(mesh);
+        const auto encoded = encodeGrids(mesh, options);
+        ASSERT_FALSE(encoded) << part;
+        EXPECT_EQ(encoded.error().kind, ErrorKind::format);
+        EXPECT_NE(encoded.error().message.find(part), std::string::npos) << encoded.error().message;
+    };
+    expectError("vertices of grids, their tables say", [](GridMesh& mesh) { mesh.vertices.pop_back(); });
+    expectError("grid 1: begins at vertex 7", [](GridMesh& mesh) { mesh.grids[1].firstVertex = 7; });
+    expectError("expected sides of 2 to 65536", [](GridMesh& mesh) { mesh.grids[2].rows = 1; });
+    expectError("loose triangle 3: vertex 99", [](GridMesh& mesh) { mesh.looseTriangles[3][1] = 99; });
+    expectError("3 texture coordinates", [](GridMesh& mesh) { mesh.uvs.resize(3); });
+    expectError("loose vertex 3 is not finite", [](GridMesh& mesh) { mesh.looseVertices[3][1] = NAN; });
+}
+
+TEST(EncodeGrids, NumbersThatAreNoneAreErrors) {
+    GridMesh mesh = tests::mixedBox(4);
+    const EncodeOptions options = tests::optionsFor(mesh, Codec::lattice);
+    mesh.vertices[3][1] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE(encodeGrids(mesh, options));
+    EXPECT_FALSE(latticeForError(mesh, 1e-3));
+    mesh::FaceMesh faces{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 7, mesh::noVertex}}, {}, {}};
+    EXPECT_FALSE(gridsOf(faces));
+    faces.faces[0][2] = 2;
+    faces.positions[1][2] = std::numeric_limits<float>::infinity();
+    EXPECT_FALSE(gridsOf(faces));
 }
 
 }  // namespace

@@ -111,5 +111,19 @@ TEST(Opacity, RefusesSquaresThatDoNotFit) {
     EXPECT_TRUE(trace::Opacity::make(trace::Method::vq2, 4, *world, *reader, {}).ok());
 }
 
+TEST(World, StopsWhenCancelled) {
+    const scene::Scene scene = tests::thicket();
+    const std::atomic<bool> stop = true;
+    FunctionProgress progress(stop);
+    const auto world = trace::World::build(scene, {}, progress);
+    ASSERT_FALSE(world.ok());
+    EXPECT_EQ(world.error().kind, ErrorKind::cancelled);
+
+    uint64_t done = 0;
+    FunctionProgress shown([&](const ProgressReport& report) { done = report.done; });
+    ASSERT_TRUE(trace::World::build(scene, {}, shown).ok());
+    EXPECT_GT(done, 0U);
+}
+
 }  // namespace
 }  // namespace filigree

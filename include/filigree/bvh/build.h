@@ -5,6 +5,7 @@
 #include "filigree/core/api.h"
 #include "filigree/core/box.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 
 #include <cstdint>
@@ -23,6 +24,10 @@ struct Bvh {
 // any executor. Beside the result it needs some 10 bytes a box, and memory for the subtrees that are being
 // built: at most 65,536 boxes each.
 FILIGREE_API Bvh build(std::span<const Box> boxes, const Executor& executor);
+
+// The same, shown and stopped by the caller: progress in boxes, ErrorKind::cancelled. ErrorKind::usage for
+// boxes that may not be.
+FILIGREE_API Result<Bvh> build(std::span<const Box> boxes, const Executor& executor, ProgressSink& progress);
 
 // What traversal relies on: children behind their parents, each node and each of `leafCount` leaves in one
 // place, and no way down longer than maxDepth.

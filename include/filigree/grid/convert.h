@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/vertex_grid.h"
 #include "filigree/mesh/face_mesh.h"
@@ -33,8 +34,9 @@ struct ConvertOptions {
 // until none fits. What would take more bytes as a grid than as loose triangles stays loose, as do triangles
 // with fewer than three different vertices. Triangles keep their winding, not their first vertex. The same
 // answer for any executor. Fails with ErrorKind::limit above maxConvertTriangles, ErrorKind::format on
-// what mesh::check refuses.
+// what mesh::check refuses, ErrorKind::cancelled. Progress in triangles.
 FILIGREE_API Result<GridMesh> gridsOf(const mesh::FaceMesh& mesh, const ConvertOptions& options = {},
-                                      const Executor& executor = serialExecutor());
+                                      const Executor& executor = serialExecutor(),
+                                      ProgressSink& progress = silentProgress());
 
 }  // namespace filigree::grid

@@ -47,6 +47,8 @@ FILIGREE_API Result<GridRecords> encodeRecords(GridMesh& mesh, const EncodeOptio
 
 // Builds the hierarchy and brings the records into the order of its leaves.
 FILIGREE_API EncodedGrids buildGrids(GridRecords records, const Executor& executor);
+FILIGREE_API Result<EncodedGrids> buildGrids(GridRecords records, const Executor& executor,
+                                             ProgressSink& progress);
 
 // Both.
 FILIGREE_API Result<EncodedGrids> encodeGrids(GridMesh& mesh, const EncodeOptions& options,

@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/executor.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/grid/lattice.h"
 #include "filigree/grid/paper.h"
@@ -29,7 +30,9 @@ FILIGREE_API Result<Lattice> latticeForError(const GridMesh& mesh, double maxErr
 // The root mean square distance of the vertices of grids (of loose triangles, where there are no grids) is
 // measured to be `rms`, world units, or up to 0.5 % less; it may be far less where all axes are regular.
 // Fails with ErrorKind::usage like latticeForError.
-FILIGREE_API Result<Lattice> latticeForRms(const GridMesh& mesh, double rms, const Executor& executor);
+FILIGREE_API Result<Lattice> latticeForRms(const GridMesh& mesh, double rms,
+                                           const Executor& executor = serialExecutor(),
+                                           ProgressSink& progress = silentProgress());
 
 // positionOf(pointAt(v)) is v, to the bit, for every vertex: heightfields, quantised meshes. Fails with
 // ErrorKind::unsupported, naming a vertex, where there is no such lattice.

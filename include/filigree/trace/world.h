@@ -3,6 +3,7 @@
 
 #include "filigree/core/api.h"
 #include "filigree/core/box.h"
+#include "filigree/core/progress.h"
 #include "filigree/core/result.h"
 #include "filigree/scene/scene.h"
 #include "filigree/trace/grid_part.h"
@@ -33,8 +34,10 @@ struct WorldOptions {
 class FILIGREE_API World {
   public:
     // `scene` must outlive the world; its images need their colour and alpha decoded
-    // (io::ReadOptions::colour, blendAlpha). ErrorKind::limit when Embree runs out of memory.
-    static Result<World> build(const scene::Scene& scene, const WorldOptions& options);
+    // (io::ReadOptions::colour, blendAlpha). ErrorKind::limit when Embree runs out of memory,
+    // ErrorKind::cancelled. Progress in triangles.
+    static Result<World> build(const scene::Scene& scene, const WorldOptions& options,
+                               ProgressSink& progress = silentProgress());
 
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
