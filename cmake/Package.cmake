@@ -36,9 +36,10 @@ set(CPACK_COMPONENT_COMMAND_DESCRIPTION "Opacity micromaps and vertex grids: the
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libfiligree)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/triggers;${PROJECT_BINARY_DIR}/debian/shlibs")
-file(WRITE ${PROJECT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
-file(WRITE ${PROJECT_BINARY_DIR}/debian/shlibs "libfiligree ${PROJECT_VERSION_MAJOR} libfiligree (>= ${PROJECT_VERSION})\n")
+set(control ${PROJECT_BINARY_DIR}/debian)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${control}/triggers;${control}/shlibs")
+file(WRITE ${control}/triggers "activate-noawait ldconfig\n")
+file(WRITE ${control}/shlibs "libfiligree ${PROJECT_VERSION_MAJOR} libfiligree (>= ${PROJECT_VERSION})\n")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Opacity micromaps and vertex grids: the shared library
  The C++ and C interfaces of Filigree as one shared library.")
 

@@ -13,7 +13,8 @@ COMPILERS = [f"-DCMAKE_C_COMPILER={os.environ['FILIGREE_CC']}", f"-DCMAKE_CXX_CO
 
 
 def run(*command, **options):
-    return subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    return subprocess.run([str(word) for word in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          **options)
 
 
 class OutsideTest(unittest.TestCase):
@@ -47,5 +48,6 @@ class OutsideTest(unittest.TestCase):
         """A project of one CMakeLists.txt."""
         folder = self.folder / name
         folder.mkdir()
-        (folder / "CMakeLists.txt").write_text(f"cmake_minimum_required(VERSION 3.25)\nproject({name} LANGUAGES C CXX)\n{text}")
+        start = f"cmake_minimum_required(VERSION 3.25)\nproject({name} LANGUAGES C CXX)\n"
+        (folder / "CMakeLists.txt").write_text(start + text)
         return folder
