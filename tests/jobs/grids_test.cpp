@@ -7,8 +7,10 @@
 
 #include "grid/sample_grids.h"
 #include "io/temp_folder.h"
+#include "jobs/colour_ramp.h"
 #include "jobs/grid_error_map.h"
 #include "jobs/grid_lattice.h"
+#include "jobs/grid_views.h"
 #include "shared_data.h"
 
 #include <cstdlib>
@@ -104,6 +106,34 @@ TEST(GridErrorMap, ShowsEachSubGrid) {
     EXPECT_TRUE(map.png());
     // Without grids there is still a picture.
     EXPECT_TRUE(gridErrorMap({}, {}, grid::Codec::lattice).png());
+}
+
+TEST(GridViews, ShowGridsAndTheirErrors) {
+    grid::GridMesh mesh = grid::tests::mixedBox(24);
+    const auto encoded = grid::tests::encoded(mesh, grid::tests::optionsFor(mesh, grid::Codec::paper));
+    const auto decoded = grid::decodeGrids(
+        encoded, mesh.grids, static_cast<uint32_t>(mesh.looseTriangles.size()), serialExecutor());
+    const grid::GridAttributes attributes = grid::attributesOf(mesh);
+    const auto views =
+        drawGridViews({mesh, encoded, decoded, attributes}, 64, 36, serialExecutor(), silentProgress());
+    ASSERT_TRUE(views) << views.error().message;
+    for (const auto* picture : {&views->lit, &views->pieces, &views->error})
+        EXPECT_EQ(picture->rgba.size(), 4u * 64 * 36);
+    EXPECT_NE(views->pieces.rgba, views->error.rgba);
+    EXPECT_EQ(views->scale.marks.size(), 5u);
+    // The sky is the same in both.
+    EXPECT_EQ(std::vector(views->pieces.rgba.begin(), views->pieces.rgba.begin() + 4),
+              std::vector(views->error.rgba.begin(), views->error.rgba.begin() + 4));
+}
+
+TEST(ColourRamp, EndsAtRoundNumbers) {
+    EXPECT_DOUBLE_EQ(rampEnd(3), 4);
+    EXPECT_DOUBLE_EQ(rampEnd(0.05), 0.08);
+    EXPECT_DOUBLE_EQ(rampEnd(9), 10);
+    EXPECT_DOUBLE_EQ(rampEnd(0), 1);
+    EXPECT_DOUBLE_EQ(rampPlace(1, 4), 0.5);
+    EXPECT_DOUBLE_EQ(rampPlace(9, 4), 1);
+    EXPECT_EQ(rampScale(heatRamp(), "tests", 16, "").marks[3].text, "9");
 }
 
 // Attributes come back at hits as they were at the vertices.
