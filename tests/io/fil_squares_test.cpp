@@ -5,6 +5,7 @@
 #include "filigree/core/file.h"
 
 #include "io/fil_layout.h"
+#include "io/sample_fil.h"
 #include "io/temp_folder.h"
 
 #include <numeric>
@@ -86,9 +87,11 @@ TEST(FilSquares, PlacesAndIndicesAreChecked) {
     Sample sample(SquareFormat::vq2);
     sample.places[1].order = 6;
     EXPECT_FALSE(FilSquareFile::parse(sample.bytes(), "x.fil"));
-    Sample more(SquareFormat::vq2);
-    more.indices[1] = 3;  // of three maps
-    const auto file = FilSquareFile::parse(more.bytes(), "x.fil");
+    std::vector<uint8_t> more = Sample(SquareFormat::vq2).bytes();
+    const auto indices = loadLe<uint64_t>(more.data() + filHeaderBytes + filEntryBytes + 8);
+    more[indices] |= 7 << 3;  // triangle 1: map 3 of three, in three bits
+    tests::resealFil(more);
+    const auto file = FilSquareFile::parse(more, "x.fil");
     ASSERT_FALSE(file);
     EXPECT_NE(file.error().message.find("triangle 1 has map 3 of 3"), std::string::npos)
         << file.error().message;

@@ -62,7 +62,7 @@ TEST(Memory, FilOfGridsIsThatOfThePath) {
 
 TEST(Memory, FilOfSquaresIsThatOfThePath) {
     const TempFolder folder;
-    const std::vector<uint8_t> blocks(quadmap::vq2Bytes * 2, 0x5a);
+    const std::vector<uint8_t> blocks(2 * blockBytesOf(quadmap::SquareFormat::vq2), 0x5a);
     const std::vector<int32_t> indices{1, -2, 0};
     const std::vector<quadmap::SquarePlace> places(3);
     io::FilSquares squares;
