@@ -136,10 +136,11 @@ SurfaceErrors surfaceErrors(const GridViewSource& source) {
     return errors;
 }
 
-// All but a thousandth of the sub-grids are below.
+// All but a thousandth of the sub-grids are below; without any, of the loose triangles.
 double errorEnd(const SurfaceErrors& errors) {
-    std::vector<float> all = errors.loose;
+    std::vector<float> all;
     for (const auto& piece : errors.grids) all.insert(all.end(), piece.shares.begin(), piece.shares.end());
+    if (all.empty()) all = errors.loose;
     if (all.empty()) return 1;
     const auto at = all.begin() + static_cast<std::ptrdiff_t>((all.size() - 1) * 999 / 1000);
     std::nth_element(all.begin(), at, all.end());

@@ -120,13 +120,6 @@ Result<report::Section> surfaceSection(const GridViews& views, grid::Codec codec
     return report::Section{"The surface", {std::move(row)}};
 }
 
-// By a whole factor, to about the width of a chart.
-void enlarge(report::Picture& picture) {
-    const uint32_t times = std::max(1U, 540 / std::max(1U, picture.width));
-    picture.width *= times;
-    picture.height *= times;
-}
-
 Result<report::Section> errorSection(const GridViews& views, const GridsSummary& s,
                                      const GridViewSource& source, const std::string& command) {
     auto surface = pictureOf(views.error, "The surface in the colours of its error");
@@ -135,7 +128,6 @@ Result<report::Section> errorSection(const GridViews& views, const GridsSummary&
     auto map = pictureOf(flat.picture, "The errors of all sub-grids, side by side");
     if (!map) return map.error();
     map->pixelated = true;
-    enlarge(*map);
     report::Section section{"Error", {}};
     report::Figure view{
         std::move(*surface),
@@ -150,11 +142,10 @@ Result<report::Section> errorSection(const GridViews& views, const GridsSummary&
     report::Table errors = gridErrorTable(s);
     errors.command = command;
     section.blocks.emplace_back(std::move(errors));
-    report::Figure sheet{
-        std::move(*map),
-        "The same, flat: a pixel a sub-grid, grids side by side. `--error-map` writes it as a "
-        "file.",
-        command};
+    report::Figure sheet{std::move(*map),
+                         "The same, flat: a pixel a sub-grid, grids side by side. --error-map writes it as a "
+                         "file.",
+                         command};
     sheet.scale = std::move(flat.scale);
     report::FigureRow row;
     row.figures.push_back(std::move(sheet));
