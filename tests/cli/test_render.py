@@ -103,7 +103,7 @@ class Render(CliTest):
         result, _ = self.render("--html", "page.html", "--beside", "tree,bitmask,gruen,vq2,texture")
         self.assertEqual(result["image_sha256"], reference["image_sha256"])
         page = self.data("page.html").decode()
-        for text in ("Alpha tested by micromap with 4 states: ", "fewer alpha tests than with the texture alone", "the same to the bit",
+        for text in ("Alpha tested by micromap with 4 states", "fewer alpha tests than with the texture alone", "the same to the bit",
                      "data-csv=\"bitmask,4,", "data-csv=\"vq2,4,", "alpha tests a sample", "bits a lookup", "--beside tree,"):
             self.assertIn(text, page)
         self.assertEqual(page.count("data-csv=\"texture,"), 1)
