@@ -43,6 +43,7 @@
 extern "C" {
 #endif
 
+// The version of this header.
 #define FILIGREE_VERSION_MAJOR 0
 #define FILIGREE_VERSION_MINOR 1
 #define FILIGREE_VERSION_PATCH 0
@@ -52,6 +53,7 @@ FILIGREE_API uint32_t filigree_version(void);
 
 // ---- Errors
 
+// What went wrong.
 typedef enum filigree_error {
     FILIGREE_OK = 0,
     FILIGREE_ERROR_ARGUMENT = 1,     // NULL, a number out of its range, memory that overlaps
@@ -95,6 +97,7 @@ typedef void (*filigree_parallel_for)(void* user, size_t count, size_t grain, fi
 typedef void* (*filigree_allocate)(void* user, size_t bytes);
 typedef void (*filigree_release)(void* user, void* memory);
 
+// What a context is made with.
 typedef struct filigree_context_settings {
     size_t struct_size;
     uint32_t threads;                    // of the library: 0 one for each processor, 1 the caller's alone
@@ -132,18 +135,21 @@ typedef struct filigree_progress {
 
 // ---- Alpha images
 
+// How the texels of an image stand in memory.
 typedef enum filigree_texel {
     FILIGREE_TEXEL_U8 = 0,   // 0..255
     FILIGREE_TEXEL_U16 = 1,  // 0..65535, in the machine's byte order
     FILIGREE_TEXEL_F32 = 2   // 0..1, clamped and rounded to the nearest 1/65535; NaN is an error
 } filigree_texel;
 
+// What a sampler does outside of the image.
 typedef enum filigree_wrap {
     FILIGREE_WRAP_REPEAT = 0,
     FILIGREE_WRAP_MIRRORED_REPEAT = 1,
     FILIGREE_WRAP_CLAMP_TO_EDGE = 2
 } filigree_wrap;
 
+// Which filters a shader may apply.
 typedef enum filigree_filter {
     FILIGREE_FILTER_LINEAR = 0,
     FILIGREE_FILTER_NEAREST = 1,
@@ -169,6 +175,7 @@ typedef struct filigree_image {
     { sizeof(filigree_image), NULL, 0, 0, 0, 0, 0, 0, 0, 0 }
 FILIGREE_API filigree_error filigree_image_init(filigree_image* image, size_t struct_size);
 
+// How a filtered alpha becomes a state.
 typedef enum filigree_alpha_mode {
     FILIGREE_ALPHA_MASK = 0,  // opaque where alpha >= cutoff (glTF MASK)
     FILIGREE_ALPHA_BLEND = 1  // opaque where alpha is 1, transparent where it is 0 (glTF BLEND)
@@ -221,9 +228,11 @@ typedef enum filigree_state {
 // A triangle that has one state throughout needs no map: its index is special, -1 - state.
 #define FILIGREE_SPECIAL_INDEX(state) (-1 - (int32_t)(state))
 
+// Levels: the greatest, and what stands for the highest useful one.
 #define FILIGREE_MAX_LEVEL 12  // level L has 4^L micro-triangles
 #define FILIGREE_LEVEL_AUTO (-1)
 
+// How micromaps are baked.
 typedef struct filigree_bake_settings {
     size_t struct_size;
     uint32_t states;        // 2 or 4
@@ -270,6 +279,7 @@ FILIGREE_API filigree_error filigree_micromaps_from_flat(const filigree_context*
                                                          filigree_micromaps** out,
                                                          filigree_error_info* error);
 
+// What a bake made.
 typedef struct filigree_micromaps_info {
     size_t struct_size;
     uint64_t triangle_count;
@@ -358,6 +368,7 @@ typedef enum filigree_encoding {
     FILIGREE_ENCODING_SDAG = 6  // the smallest
 } filigree_encoding;
 
+// How micromaps are encoded.
 typedef struct filigree_encode_settings {
     size_t struct_size;
     uint32_t encoding;  // filigree_encoding, but BITMASK
@@ -423,6 +434,7 @@ FILIGREE_API filigree_error filigree_set_open(const filigree_context* context,
                                               const filigree_set_blocks* blocks, filigree_set** out,
                                               filigree_error_info* error);
 
+// What an encoded set holds.
 typedef struct filigree_set_info {
     size_t struct_size;
     uint32_t encoding;  // filigree_encoding
@@ -487,12 +499,14 @@ typedef enum filigree_square_format {
     FILIGREE_SQUARE_VQ4_PLUS = 3
 } filigree_square_format;
 
+// What is known of a region of a square.
 typedef enum filigree_region {
     FILIGREE_REGION_TRANSPARENT = 0,
     FILIGREE_REGION_MIXED = 1,
     FILIGREE_REGION_OPAQUE = 2
 } filigree_region;
 
+// Opacity squares of pairs of triangles.
 typedef struct filigree_squares filigree_squares;
 
 // Pairs the triangles over shared edges and encodes a square for each pair, equal ones once; the same
@@ -505,6 +519,7 @@ FILIGREE_API filigree_error filigree_squares_encode(
     filigree_squares** out, filigree_error_info* error);
 FILIGREE_API void filigree_squares_destroy(filigree_squares* squares);
 
+// What squares hold.
 typedef struct filigree_squares_info {
     size_t struct_size;
     uint64_t triangle_count;
@@ -585,6 +600,7 @@ typedef struct filigree_heightfield {
     { sizeof(filigree_heightfield), NULL, 0, 0, 0, 0, 0, 0, 1.0, 1.0 }
 FILIGREE_API filigree_error filigree_heightfield_init(filigree_heightfield* heightfield, size_t struct_size);
 
+// How the records of grids are written.
 typedef enum filigree_grid_codec {
     FILIGREE_GRID_PAPER = 0,   // Benthin, Vaidyanathan and Woop 2021: docs/spec/paper.md
     FILIGREE_GRID_LATTICE = 1  // no cracks, smaller: docs/spec/lattice.md
@@ -598,6 +614,7 @@ typedef enum filigree_grid_precision {
     FILIGREE_GRID_LOSSLESS = 3          // to the bit; UNSUPPORTED where no lattice holds the vertices
 } filigree_grid_precision;
 
+// How grids are made.
 typedef struct filigree_grid_settings {
     size_t struct_size;
     uint32_t codec;            // filigree_grid_codec
@@ -633,6 +650,7 @@ FILIGREE_API filigree_error filigree_grids_create_from_heights(const filigree_co
                                                                filigree_error_info* error);
 FILIGREE_API void filigree_grids_destroy(filigree_grids* grids);
 
+// What grids hold.
 typedef struct filigree_grids_info {
     size_t struct_size;
     uint32_t codec;  // filigree_grid_codec
@@ -674,9 +692,11 @@ typedef struct filigree_ray {
     float t_max;
 } filigree_ray;
 
+// What filigree_hit.grid says besides a grid.
 #define FILIGREE_NO_GRID 0xffffffffu     // nothing is hit
 #define FILIGREE_LOOSE_GRID 0xfffffffeu  // a loose triangle: its number is `column`
 
+// What a ray hits.
 typedef struct filigree_hit {
     float t;          // infinite where nothing is hit
     uint32_t grid;    // or one of the two above
@@ -729,12 +749,14 @@ FILIGREE_API filigree_error filigree_grids_get_surface(const filigree_grids* gri
 
 // ---- Containers: .fil in memory (docs/spec/fil.md)
 
+// What a container holds.
 typedef enum filigree_container {
     FILIGREE_CONTAINER_SET = 0,
     FILIGREE_CONTAINER_SQUARES = 1,
     FILIGREE_CONTAINER_GRIDS = 2
 } filigree_container;
 
+// How a container is written.
 typedef struct filigree_container_settings {
     size_t struct_size;
     const char* asset_name;           // of the file that the contents were made from, UTF-8; NULL: none

@@ -342,6 +342,7 @@ FILIGREE_LOOKUP_CONSTEXPR uint32_t filigree_index_of_planes(filigree_planes p, u
 // b' = m2 a ^ m3 b over GF(2).
 #define FILIGREE_SYMMETRY_MATRICES 0xe7bd69u
 
+// The planes under a symmetry.
 FILIGREE_LOOKUP_CONSTEXPR filigree_planes filigree_planes_turned(filigree_planes p, unsigned symmetry) {
     const uint32_t m = (FILIGREE_SYMMETRY_MATRICES >> (4 * symmetry)) & 15;
     const filigree_planes turned = {((0 - (m & 1)) & p.a) ^ ((0 - (m >> 1 & 1)) & p.b),
@@ -410,6 +411,7 @@ typedef struct filigree_flat {
     filigree_blocks blocks;
 } filigree_flat;
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_flat_open(filigree_flat* view, unsigned format,
                                                                 uint32_t map_count, const void* descriptors,
                                                                 size_t descriptor_bytes, const void* payload,
@@ -475,6 +477,7 @@ FILIGREE_LOOKUP_CONSTEXPR uint32_t filigree_row_order_at(float u, float v, unsig
     return (uint32_t)(row * row + 2 * j + flipped);
 }
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_gruen_open(filigree_gruen* view, unsigned format,
                                                                  uint32_t map_count, const void* descriptors,
                                                                  size_t descriptor_bytes, const void* payload,
@@ -680,6 +683,7 @@ FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_trees_fit_(const filigree_
     return end == payload_bytes ? FILIGREE_LOOKUP_OK : FILIGREE_LOOKUP_PAYLOAD;
 }
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_tree_open(filigree_tree* view, unsigned format,
                                                                 uint32_t map_count, const void* descriptors,
                                                                 size_t descriptor_bytes, const void* payload,
@@ -741,6 +745,7 @@ FILIGREE_LOOKUP_INLINE unsigned filigree_tree_at_point(const filigree_tree* view
 
 // --------------------------------------------------------------------------------------------- indexed trees
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_indexed_tree_open(
     filigree_indexed_tree* view, unsigned format, uint32_t map_count, const void* descriptors,
     size_t descriptor_bytes, const void* payload, size_t payload_bytes) {
@@ -975,6 +980,7 @@ FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_dag_fits_(const filigree_b
     return (uint64_t)(last & 0xfffffff) + 1 + present == words ? FILIGREE_LOOKUP_OK : FILIGREE_LOOKUP_PAYLOAD;
 }
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_dag_open(filigree_dag* view, unsigned format,
                                                                uint32_t map_count, const void* descriptors,
                                                                size_t descriptor_bytes, const void* payload,
@@ -1158,6 +1164,7 @@ FILIGREE_LOOKUP_INLINE filigree_sdag_offsets filigree_sdag_offsets_(const filigr
     return at;
 }
 
+// As filigree_view_open(), for this encoding alone.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_sdag_open(filigree_sdag* view, unsigned format,
                                                                 uint32_t map_count, const void* descriptors,
                                                                 size_t descriptor_bytes, const void* payload,
@@ -1434,6 +1441,7 @@ typedef struct filigree_view {
     } as;
 } filigree_view;
 
+// Checks the blocks as far as lookups need it, and looks into them from then on.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_view_open(filigree_view* set, unsigned encoding,
                                                                 unsigned format, uint32_t map_count,
                                                                 const void* descriptors,
@@ -1706,6 +1714,7 @@ typedef struct filigree_vq {
     unsigned side;      // regions along an edge: 16 or 32
 } filigree_vq;
 
+// Looks into `payload`, maps one after the other.
 FILIGREE_LOOKUP_INLINE filigree_lookup_error filigree_vq_open(filigree_vq* view, unsigned encoding,
                                                               uint32_t count, const void* payload,
                                                               size_t payload_bytes) {

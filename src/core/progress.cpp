@@ -47,7 +47,8 @@ void FunctionProgress::end() {
 }
 
 bool FunctionProgress::cancelled() const {
-    return stopped_ || (flag_ != nullptr && *flag_);
+    if (flag_ != nullptr && *flag_) stopped_ = true;
+    return stopped_;
 }
 
 void FunctionProgress::report() {

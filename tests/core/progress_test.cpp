@@ -47,6 +47,8 @@ TEST(FunctionProgress, StopsByFlagOrByCall) {
     EXPECT_FALSE(flagged.cancelled());
     stop = true;
     EXPECT_TRUE(flagged.cancelled());
+    stop = false;
+    EXPECT_TRUE(flagged.cancelled());
 
     FunctionProgress* self = nullptr;
     FunctionProgress progress([&](const ProgressReport& report) {

@@ -16,6 +16,7 @@
 
 namespace filigree::bake {
 
+// How micromaps are baked.
 struct Settings {
     micromap::Format format = micromap::Format::fourState;
     // The level of every micromap, 0..12. Without it each triangle gets its highest useful level (Waldemarson
@@ -39,6 +40,7 @@ struct Statistics {
     uint64_t trianglesAt[micromap::maxLevel + 1] = {};  // how many triangles were baked at each level
 };
 
+// What a bake makes.
 struct Baked {
     micromap::TreeSet set;
     std::vector<uint8_t> levels;  // [triangle_count], the level each triangle was baked at, special or not

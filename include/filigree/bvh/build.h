@@ -14,6 +14,7 @@
 
 namespace filigree::bvh {
 
+// A hierarchy as build() makes it.
 struct Bvh {
     std::vector<Node> nodes;      // the first is the root; children stand behind their parents
     std::vector<uint32_t> order;  // [leaf_count], leaf k is box order[k]

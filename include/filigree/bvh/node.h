@@ -10,6 +10,7 @@
 
 namespace filigree::bvh {
 
+// Children of a node.
 inline constexpr size_t width = 8;
 inline constexpr int minExponent = -126;  // so that 2^exponent is a normal float
 

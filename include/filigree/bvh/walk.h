@@ -55,6 +55,7 @@ class FILIGREE_API Walk {
     std::array<uint32_t, stackSize> places;  // a node, or leafBit and a leaf
 };
 
+// What Walk::leaf says at the end of the way.
 inline constexpr uint32_t noLeaf = 0xffffffff;
 
 // For the instruction set in use (core/target.h); all take the same way. `nodes` must have passed check().

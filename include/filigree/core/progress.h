@@ -26,7 +26,8 @@ class FILIGREE_API ProgressSink {
     // The stage is over.
     virtual void end() = 0;
 
-    // True once the caller wants the work to stop; the work then returns ErrorKind::cancelled.
+    // True once the caller wants the work to stop, and from then on; the work then returns
+    // ErrorKind::cancelled.
     [[nodiscard]] virtual bool cancelled() const { return false; }
 };
 
@@ -67,8 +68,8 @@ class FILIGREE_API FunctionProgress final : public ProgressSink {
 
     const Function function_;
     const std::atomic<bool>* const flag_;
-    std::atomic<bool> stopped_{false};
-    std::mutex mutex_;  // guards the rest but done_
+    mutable std::atomic<bool> stopped_{false};  // for good
+    std::mutex mutex_;                          // guards the rest but done_
     std::string stage_;
     std::string unit_;
     uint64_t total_ = 0;

@@ -78,6 +78,7 @@ class [[nodiscard]] Result<void> {
     std::optional<Error> error_;
 };
 
+// Success, or an Error.
 using Status = Result<void>;
 
 }  // namespace filigree

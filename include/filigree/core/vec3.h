@@ -7,8 +7,10 @@
 
 namespace filigree {
 
+// x, y and z.
 using Vec3 = std::array<float, 3>;
 
+// Sums, products and lengths in single precision, component by component from x to z.
 inline Vec3 plus(const Vec3& a, const Vec3& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }

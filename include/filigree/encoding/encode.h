@@ -12,6 +12,7 @@
 
 namespace filigree::encoding {
 
+// What some encodings can do besides.
 struct EncodeOptions {
     // Store the opaque share of interior nodes where the encoding can do without (sdag).
     bool aggregates = false;

@@ -47,6 +47,7 @@ struct EncodedView {
     std::span<const uint8_t> payload;
 };
 
+// Looks into `set`, which must outlive it.
 inline EncodedView viewOf(const EncodedSet& set) {
     return {set.encoding, set.format, set.mapCount, set.descriptors, set.payload};
 }

@@ -39,6 +39,7 @@ struct LossyPoint {
     double price = 0;  // bits that a unit of cost was held to be worth
 };
 
+// What encodeLossy() makes.
 struct LossySet {
     EncodedSet set;
     micromap::QuadtreeList maps;   // what it holds, equal ones once

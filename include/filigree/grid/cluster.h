@@ -15,6 +15,7 @@
 
 namespace filigree::grid {
 
+// What one cluster holds at most.
 inline constexpr size_t maxClusterTriangles = 64;
 inline constexpr size_t maxClusterVertices = 3 * maxClusterTriangles;
 

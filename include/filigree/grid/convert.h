@@ -15,6 +15,7 @@ namespace filigree::grid {
 // The most triangles that gridsOf takes.
 inline constexpr uint64_t maxConvertTriangles = uint64_t{1} << 30;
 
+// How meshes become grids.
 struct ConvertOptions {
     // Grids take only quads whose diagonal is ac, as the paper's codec needs it; others go into grids turned
     // by a quarter, or stay loose.

@@ -13,6 +13,7 @@
 
 namespace filigree::grid {
 
+// Decoded positions, world units.
 struct DecodedGrids {
     std::vector<Vec3> vertices;                       // as GridMesh::vertices, world units
     std::vector<std::array<Vec3, 3>> looseTriangles;  // in the order of the clusters

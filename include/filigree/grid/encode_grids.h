@@ -14,6 +14,7 @@
 
 namespace filigree::grid {
 
+// How grids are encoded.
 struct EncodeOptions {
     Codec codec = Codec::lattice;
 

@@ -14,10 +14,12 @@
 
 namespace filigree::grid {
 
+// How the records of grids are written.
 enum class Codec : uint8_t {
     paper,    // 128-byte sub-grids of 5 x 5 vertices (docs/spec/paper.md)
     lattice,  // tiles of up to 16 x 16 quads (docs/spec/lattice.md)
 };
+// The name that the command line takes, and the way back.
 FILIGREE_API std::string_view nameOf(Codec codec);
 FILIGREE_API std::optional<Codec> codecNamed(std::string_view name);
 

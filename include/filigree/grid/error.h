@@ -22,6 +22,7 @@ struct VertexErrors {
     uint64_t vertices = 0;
 };
 
+// Errors of a whole mesh.
 struct GridErrors {
     VertexErrors all;    // vertices of grids in grid layout, and corners of loose triangles
     VertexErrors grids;  // of grids alone
@@ -30,6 +31,7 @@ struct GridErrors {
     double subGridMean = 0;
     double subGridMax = 0;
 };
+// Of `decoded`, which was made from `mesh`: the same vertices in the same order.
 FILIGREE_API GridErrors errorsOf(const GridMesh& mesh, const DecodedGrids& decoded, const Executor& executor);
 
 // The share of errorsOf() of each sub-grid: `columns` x `rows` of them, row by row.

@@ -17,6 +17,7 @@
 
 namespace filigree::grid {
 
+// Sizes of a record and of the sub-grid in it.
 inline constexpr size_t paperBytes = 128;
 inline constexpr unsigned paperQuads = 4;  // along a side, at most
 inline constexpr unsigned paperSide = 5;   // vertices along a side
@@ -34,6 +35,7 @@ enum class DisplacementCode : uint8_t {
     unitVector,      // octant : 3, unit vector : 10, exponent : 6, mantissa : 5, from the top
     sharedExponent,  // octant : 3, exponent : 6, three mantissas of 5 bits, x first
 };
+// The names of the command line, and the way back.
 FILIGREE_API std::string_view nameOf(DisplacementCode code);  // "unit-vector", "shared-exponent"
 FILIGREE_API std::optional<DisplacementCode> displacementCodeNamed(std::string_view name);
 
@@ -110,6 +112,7 @@ inline uint32_t paperSlotCode(const uint8_t* record, unsigned slot) {
 }
 FILIGREE_API std::array<Vec3, 4> paperCorners(
     const uint8_t* record);  // near near, far near, near far, far far
+// What a record says of its place, and its decoded vertices.
 FILIGREE_API PaperPlace paperPlace(const uint8_t* record);
 FILIGREE_API PaperVertices decodePaper(const uint8_t* record, const PaperCode& paper);
 

@@ -20,9 +20,11 @@ struct Ray {
     float tMax = std::numeric_limits<float>::infinity();
 };
 
+// What Hit::grid says besides a grid: nothing is hit, or a loose triangle.
 inline constexpr uint32_t noGrid = 0xffffffff;
 inline constexpr uint32_t looseGrid = 0xfffffffe;  // a triangle of a cluster
 
+// What a ray hits.
 struct Hit {
     float t = std::numeric_limits<float>::infinity();
     uint32_t grid = noGrid;  // into GridMesh::grids, or looseGrid, or noGrid where nothing is hit

@@ -16,6 +16,7 @@ struct GridSizeClass {
     uint64_t quads = 0;
 };
 
+// How much of a mesh is in grids, and how large they are.
 struct FILIGREE_API GridStatistics {
     uint64_t triangles = 0;
     uint64_t trianglesInGrids = 0;
@@ -29,6 +30,7 @@ struct FILIGREE_API GridStatistics {
     [[nodiscard]] double shareAtLeast(uint32_t side) const;
 };
 
+// Counts all of `mesh`.
 FILIGREE_API GridStatistics statisticsOf(const GridMesh& mesh);
 
 }  // namespace filigree::grid

@@ -59,6 +59,7 @@ struct OutlinePiece {
 
 struct ArcPiece;
 
+// Where the opaque part of a texture ends, under one threshold.
 class FILIGREE_API Outline {
   public:
     // `filter` must be linear or nearest. The texture must outlive the outline.

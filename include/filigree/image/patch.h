@@ -103,6 +103,7 @@ inline bool mayBeAtMost(double v, double limit, double slack) {
     return v <= limit + slack;
 }
 
+// True when `v` is surely 0 or more.
 inline bool isNotNegative(const Bounded& v) {
     return v.certainlyNotNegative();
 }
@@ -193,6 +194,7 @@ PatchRange rangeOver(const Patch& patch, const PatchPolygon<Real>& polygon, doub
     return range;
 }
 
+// How far off rangeOver() may be in double precision where corners are off by `slack`, in cells.
 inline double patchTolerance(const Patch& patch, double slack) {
     const double steepest = std::fabs(patch.alongX) + std::fabs(patch.alongY) + 2 * std::fabs(patch.twist);
     return slack * 4 * steepest + 1e-9;

@@ -36,6 +36,7 @@ struct FilGroup {
     std::optional<image::AlphaTest> test;  // what they were baked with, if that is known
 };
 
+// Whose triangles come next in the indices of a file.
 struct FilPrimitive {
     uint32_t mesh = 0;       // into glTF meshes
     uint32_t primitive = 0;  // into that mesh's primitives
@@ -43,6 +44,7 @@ struct FilPrimitive {
     uint32_t group = 0;  // into FilMeta::groups
 };
 
+// What a file says of itself.
 struct FILIGREE_API FilMeta {
     FilAsset asset;
     std::optional<unsigned> level;  // of all micromaps, 0..maxLevel; none where they differ
@@ -80,6 +82,7 @@ FILIGREE_API Result<std::vector<uint8_t>> encodeFil(const FilContents& contents,
 FILIGREE_API bool isFil(const std::filesystem::path& path);
 FILIGREE_API bool isFil(std::span<const uint8_t> bytes);
 
+// How much a file may take.
 struct FilReadOptions {
     // The most memory that compressed sections may take together once they are plain; above it
     // ErrorKind::limit.

@@ -46,6 +46,7 @@ class FILIGREE_API GltfDocument {
     std::unique_ptr<Data> data_;
 };
 
+// What of a document is read.
 struct ReadOptions {
     bool blendAlpha = false;  // decode the alpha of BLEND materials too, not only of MASK
     bool colour = false;    // decode every base colour image to ColourImage, and read all texture coordinates

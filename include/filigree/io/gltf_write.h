@@ -33,6 +33,7 @@ struct OutputPrimitive {
         vertexIndices;  // [3 * triangle_count] to replace the primitive's; empty: they stay
 };
 
+// All micromaps that a file gets.
 struct MicromapOutput {
     std::vector<OutputMicromaps> micromaps;
     std::vector<OutputPrimitive> primitives;

@@ -11,6 +11,7 @@
 
 namespace filigree::io {
 
+// How texels become vertices.
 struct HeightfieldOptions {
     double cell = 1;         // world units between neighbouring vertices, positive and finite
     double heightScale = 1;  // world units a grey step (of 255 or 65535), finite, not 0

@@ -12,6 +12,7 @@
 
 namespace filigree::mesh {
 
+// No vertex at all.
 inline constexpr uint32_t noVertex = 0xffffffff;
 
 // Three or four vertices in order around the face; `noVertex` stands fourth in a triangle. A quad is the

@@ -7,6 +7,7 @@
 
 namespace filigree::mesh {
 
+// A texture coordinate.
 struct Uv {
     float u = 0;
     float v = 0;

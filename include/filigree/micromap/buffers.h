@@ -24,6 +24,7 @@ enum class IndexType : uint8_t {
     uint32 = 4,
 };
 
+// What a set takes in buffers.
 struct BufferSizes {
     uint64_t dataBytes = 0;
     uint32_t recordCount = 0;  // at least 1: the lists of the APIs may not be empty

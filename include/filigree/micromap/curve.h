@@ -29,6 +29,7 @@ struct LatticeTriangle {
     bool operator==(const LatticeTriangle&) const = default;
 };
 
+// The corners in the order of the triangle's vertices.
 constexpr std::array<LatticePoint, 3> corners(LatticeTriangle t) {
     if (t.flipped) return {{{t.i + 1, t.j + 1}, {t.i, t.j + 1}, {t.i + 1, t.j}}};
     return {{{t.i, t.j}, {t.i + 1, t.j}, {t.i, t.j + 1}}};

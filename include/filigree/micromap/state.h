@@ -9,12 +9,14 @@ namespace filigree::micromap {
 // Bit 0: which side covers more. Bit 1: unknown. The numbers are those of the APIs.
 enum class State : uint8_t { transparent = 0, opaque = 1, unknownTransparent = 2, unknownOpaque = 3 };
 
+// What a state says: known or not, and of which side.
 constexpr bool isKnown(State state) {
     return static_cast<uint8_t>(state) < 2;
 }
 constexpr bool isOpaqueSide(State state) {
     return (static_cast<uint8_t>(state) & 1) != 0;
 }
+// The state of a side.
 constexpr State unknownOf(bool opaqueSide) {
     return opaqueSide ? State::unknownOpaque : State::unknownTransparent;
 }
@@ -25,6 +27,7 @@ constexpr State knownOf(bool opaqueSide) {
 // The formats' API numbers.
 enum class Format : uint16_t { twoState = 1, fourState = 2 };
 
+// Bits of a micro-triangle, 1 or 2.
 constexpr unsigned bitsPerState(Format format) {
     return format == Format::twoState ? 1 : 2;
 }

@@ -19,6 +19,7 @@ struct Planes {
     bool operator==(const Planes&) const = default;
 };
 
+// The planes of a place.
 constexpr Planes planesOf(CurveCoordinates at, unsigned level) {
     const filigree_planes planes = filigree_planes_of(at, level);
     return {planes.a, planes.b};
@@ -49,6 +50,7 @@ inline constexpr unsigned symmetryCount = 6;
 // Four bits each, the lowest symmetry 0: m0..m3 of the map a' = m0 a ^ m1 b, b' = m2 a ^ m3 b.
 inline constexpr uint32_t symmetryMatrices = FILIGREE_SYMMETRY_MATRICES;
 
+// The place that has them after a symmetry.
 constexpr Planes turned(Planes p, unsigned symmetry) {
     const filigree_planes planes = filigree_planes_turned({p.a, p.b}, symmetry);
     return {planes.a, planes.b};

@@ -30,6 +30,7 @@ struct SquarePlace {
 inline constexpr std::array<std::array<uint8_t, 3>, 6> squareOrders{
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
 
+// The way from a place to its order of vertices, and back.
 constexpr const std::array<uint8_t, 3>& verticesOf(SquarePlace place) {
     return squareOrders[place.order];
 }
@@ -39,6 +40,7 @@ constexpr uint8_t orderOf(const std::array<uint8_t, 3>& vertices) {
     return static_cast<uint8_t>(found - squareOrders.begin());
 }
 
+// A point of the unit square.
 struct SquarePoint {
     float x = 0;  // 0..1
     float y = 0;

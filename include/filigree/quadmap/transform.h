@@ -11,6 +11,7 @@ namespace filigree::quadmap {
 // then bit 2 reflect left/right. So 0 is the identity, 6 a rotation by 180 degrees, 7 by 270.
 using Transform = uint8_t;
 
+// How many transforms there are.
 inline constexpr unsigned transformCount = 8;
 
 // A place in a grid, column and row; row 0 at the top.

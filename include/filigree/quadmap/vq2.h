@@ -12,9 +12,11 @@
 
 namespace filigree::quadmap {
 
+// Regions along a side, and bytes of a block.
 inline constexpr unsigned vq2Side = 16;
 inline constexpr size_t vq2Bytes = 32;
 
+// One block, owned or not.
 using Vq2Block = std::array<uint8_t, vq2Bytes>;
 using Vq2View = std::span<const uint8_t, vq2Bytes>;
 

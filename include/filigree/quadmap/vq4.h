@@ -12,9 +12,11 @@
 
 namespace filigree::quadmap {
 
+// Regions along a side, and bytes of a block.
 inline constexpr unsigned vq4Side = 32;
 inline constexpr size_t vq4Bytes = 64;
 
+// One block, owned or not.
 using Vq4Block = std::array<uint8_t, vq4Bytes>;
 using Vq4View = std::span<const uint8_t, vq4Bytes>;
 
@@ -30,6 +32,7 @@ struct Word4 {
 // half, or one for each 2 x 2 part.
 enum class Word4Kind : uint8_t { simple, vertical, horizontal, generic };
 
+// How many words there are.
 inline constexpr unsigned word4Count = 13;
 
 // The two layouts: VQ4 transforms four quadrants, VQ4+ eight half quadrants and pays for it with simpler

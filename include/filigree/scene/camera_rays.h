@@ -9,6 +9,7 @@
 
 namespace filigree::scene {
 
+// The rays of one camera through a picture of width x height pixels.
 class FILIGREE_API CameraRays {
   public:
     CameraRays(const Camera& camera, uint32_t width, uint32_t height);

@@ -10,6 +10,7 @@
 
 namespace filigree::scene {
 
+// What opaqueFaces() gives.
 struct SceneFaces {
     mesh::FaceMesh mesh;   // world units; texture coordinates where any primitive has them, else 0
     uint64_t leftOut = 0;  // triangles of masked and blended materials

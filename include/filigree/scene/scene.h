@@ -21,8 +21,10 @@ struct ColourImage {
     std::vector<uint8_t> rgba;  // [width * height * 4]
 };
 
+// What a material does with alpha, as glTF has it.
 enum class AlphaMode : uint8_t { opaque, mask, blend };
 
+// What matters here of a glTF material.
 struct Material {
     std::string name;
     AlphaMode alphaMode = AlphaMode::opaque;
@@ -60,6 +62,7 @@ struct Primitive {
     }
 };
 
+// Primitives that are placed together.
 struct Mesh {
     std::string name;
     std::vector<Primitive> primitives;
@@ -71,6 +74,7 @@ struct Instance {
     std::array<float, 16> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 };
 
+// A perspective camera.
 struct Camera {
     std::string name;
     std::array<float, 16> transform{};  // world from camera; looks along -z
@@ -92,6 +96,7 @@ struct Micromaps {
     std::string name;
 };
 
+// All that a file holds. Indices of one list into another are in range.
 struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Material> materials;

@@ -10,8 +10,10 @@
 
 namespace filigree::trace {
 
+// What rays are for.
 enum class RayKind : uint8_t { primary, shadow, ao, bounce };
 inline constexpr size_t rayKindCount = 4;
+// For reports.
 FILIGREE_API std::string_view nameOf(RayKind kind);
 
 // Counts of one kind of rays.
@@ -33,6 +35,7 @@ struct RayCounts {
     }
 };
 
+// Counts by kind of ray.
 struct Counters {
     std::array<RayCounts, rayKindCount> of{};
 

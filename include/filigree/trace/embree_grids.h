@@ -14,6 +14,7 @@
 
 namespace filigree::trace {
 
+// How Embree holds grids.
 enum class EmbreeLayout : uint8_t {
     triangles,         // an indexed triangle mesh, as Embree comes
     trianglesCompact,  // the same with RTC_SCENE_FLAG_COMPACT
@@ -22,14 +23,17 @@ enum class EmbreeLayout : uint8_t {
     gridsCompact,      // the same with RTC_SCENE_FLAG_COMPACT
 };
 inline constexpr size_t embreeLayoutCount = 5;
+// The names of the command line, and the way back.
 FILIGREE_API std::string_view nameOf(EmbreeLayout layout);
 FILIGREE_API std::optional<EmbreeLayout> embreeLayoutNamed(std::string_view name);
 
+// How Embree builds.
 struct EmbreeOptions {
     bool robust = false;   // RTC_SCENE_FLAG_ROBUST
     unsigned threads = 1;  // of the build; 0: one for each processor
 };
 
+// What a ray hits.
 struct EmbreeHit {
     float t = std::numeric_limits<float>::infinity();  // infinite where nothing is hit
     uint32_t primitive = 0;                            // triangle or grid, within its geometry

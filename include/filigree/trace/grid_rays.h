@@ -23,6 +23,7 @@ struct GridRaySets {
     std::vector<grid::Ray> shuffled;  // the bounce rays in random order
 };
 
+// Which rays, and how far they reach.
 struct GridRayOptions {
     uint32_t width = 800;  // pixels
     uint32_t height = 800;

@@ -18,15 +18,18 @@
 
 namespace filigree::trace {
 
+// What a picture shows.
 enum class Integrator : uint8_t {
     primary,  // base colour, lit from the camera
     shadow,   // base colour, sun with shadow rays, and a constant sky
     ao,       // ambient occlusion: cosine-weighted rays of limited length
     path,     // diffuse paths under sky and sun
 };
+// The names of the command line, and the way back.
 FILIGREE_API std::string_view nameOf(Integrator integrator);
 FILIGREE_API std::optional<Integrator> integratorNamed(std::string_view name);
 
+// How a picture is rendered.
 struct RenderSettings {
     uint32_t width = 960;   // pixels, 1..maxPictureSide
     uint32_t height = 540;  // pixels
@@ -44,6 +47,7 @@ struct RenderSettings {
     // Fill RayCounts::bitsRead and Film::bitsRead, which looks everything up twice.
     bool countBitsRead = false;
 };
+// The largest width or height, in pixels.
 inline constexpr uint32_t maxPictureSide = 16384;
 
 // What has been rendered so far.

@@ -17,6 +17,7 @@
 
 namespace filigree::trace {
 
+// What of a scene a world holds, and how.
 struct WorldOptions {
     bool blend = true;  // BLEND materials are stochastically transparent; otherwise opaque
     // The alpha test reads RGBA texels, as a renderer does that has its textures once, where they have 8

@@ -35,6 +35,7 @@ struct Finding {
     Truth truth = Truth::mixed;
 };
 
+// What deepCheck() found.
 struct DeepCounts {
     uint64_t microTriangles = 0;  // examined
     // 4-state: known, and for sure not that side throughout. 2-state: for sure the other side throughout.
@@ -45,6 +46,7 @@ struct DeepCounts {
     std::vector<Finding> first;  // the first of the wrong ones, at most 16, in triangle order
 };
 
+// How much deepCheck() looks at.
 struct DeepSettings {
     // Examine each micro-triangle with this probability, 0..1 (deterministic in triangle, micro-triangle and
     // seed); 1 examines all.

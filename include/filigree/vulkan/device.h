@@ -18,8 +18,10 @@ namespace filigree::vulkan {
 // False where the project was built without Vulkan (CMake's FILIGREE_VULKAN): nothing is found then.
 FILIGREE_API bool isBuilt();
 
+// What sort of device it is.
 enum class DeviceKind : uint8_t { gpu, integratedGpu, virtualGpu, cpu, other };
 
+// What a device says of itself.
 struct DeviceFacts {
     std::string name;
     std::string driver;  // with its version, as the driver says it
@@ -36,6 +38,7 @@ enum class RayPath : uint8_t {
     query,    // rays of compute shaders
     pipeline  // ray-tracing shaders, called by the device
 };
+// For reports.
 FILIGREE_API std::string_view nameOf(RayPath path);
 
 // The path of a device, which `wanted` names, "query" or "pipeline"; empty: queries where it has them.
@@ -51,6 +54,7 @@ FILIGREE_API Result<std::vector<DeviceFacts>> devices();
 // ErrorKind::unsupported where there is none.
 FILIGREE_API Result<size_t> chooseDevice(std::span<const DeviceFacts> devices, std::string_view wanted);
 
+// Which device, and who hears its warnings.
 struct DeviceOptions {
     std::string device;  // as chooseDevice takes it
     // Where set, and the validation layer is installed, that layer watches, and each of its warnings and

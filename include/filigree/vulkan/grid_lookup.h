@@ -22,6 +22,7 @@ struct GridPlace {
     uint32_t row = 0;     // the same; or the corner, 0 to 2
 };
 
+// A vertex to decode.
 struct GridVertex {
     grid::LatticePoint point{};
     bool isBd = false;  // the tile has a quad to the right of and below the vertex, with Diagonal::bd

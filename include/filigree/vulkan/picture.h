@@ -51,6 +51,7 @@ struct Method {
 // The numbers are those of trace::Integrator.
 enum class Integrator : uint8_t { primary, shadow, ao, path };
 
+// How a picture is rendered.
 struct PictureSettings {
     uint32_t width = 960;  // pixels, at least 1
     uint32_t height = 540;
@@ -73,6 +74,7 @@ struct PictureCounts {
     uint64_t fetches = 0;
 };
 
+// What render() makes.
 struct Picture {
     std::vector<Vec3> sums;               // [width * height], linear light, of all samples
     std::vector<uint32_t> fetches;        // [width * height], of textures, of all samples

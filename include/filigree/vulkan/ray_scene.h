@@ -24,6 +24,7 @@ struct GridPart {
     const grid::GridAttributes* attributes = nullptr;  // for smooth normals; null or without: flat triangles
 };
 
+// What a scene holds besides its meshes.
 struct RaySceneOptions {
     bool opaque = true;  // false: opaque surfaces are left out, because grids stand for them
     GridPart grids{};
