@@ -109,8 +109,8 @@ struct SurfaceErrors {
     [[nodiscard]] double at(const grid::Hit& hit) const {
         if (hit.grid == grid::looseGrid) return loose[hit.column];
         const grid::SubGridShares& shares = grids[hit.grid];
-        constexpr uint32_t side = grid::paperQuads;
-        return shares.shares[size_t{hit.row / side} * shares.columns + hit.column / side];
+        constexpr uint32_t quads = grid::paperQuads;
+        return shares.shares[size_t{hit.row / quads} * shares.columns + hit.column / quads];
     }
 };
 
@@ -158,10 +158,10 @@ Result<GridViews> drawGridViews(const GridViewSource& source, uint32_t width, ui
     if (!lit) return lit.error();
     views.lit = std::move(*lit);
 
-    const uint32_t side = source.grids.codec == grid::Codec::paper ? grid::paperQuads : tileSide;
+    const uint32_t quads = source.grids.codec == grid::Codec::paper ? grid::paperQuads : tileSide;
     auto pieces = painter.paint([&](const grid::Hit& hit) {
         if (hit.grid == grid::looseGrid) return looseColour;
-        return pieceColour(hit.grid, ((hit.column / side + hit.row / side) & 1) != 0);
+        return pieceColour(hit.grid, ((hit.column / quads + hit.row / quads) & 1) != 0);
     });
     if (!pieces) return pieces.error();
     views.pieces = std::move(*pieces);
