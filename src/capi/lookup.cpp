@@ -30,10 +30,18 @@ std::span<State> statesApart(size_t count, uint8_t* states, Lists... lists) {
     return to;
 }
 
+// True where all of `numbers` are below `limit`. Three plain operations for each, which compilers turn to
+// vectors: beside a lookup they cost little.
+bool areBelow(std::span<const uint32_t> numbers, uint32_t limit) {
+    if (limit == 0 || limit > INT32_MAX)
+        return std::ranges::all_of(numbers, [&](uint32_t number) { return number < limit; });
+    uint32_t topBits = 0;
+    for (const uint32_t number : numbers) topBits |= number | (limit - 1 - number);
+    return topBits >> 31 == 0;
+}
+
 void checkMaps(const filigree_set& set, std::span<const uint32_t> maps, size_t first) {
-    uint32_t most = 0;
-    for (const uint32_t map : maps) most = std::max(most, map);
-    if (most < set.view.mapCount) return;
+    if (areBelow(maps, set.view.mapCount)) return;
     const auto found = std::ranges::find_if(maps, [&](uint32_t map) { return map >= set.view.mapCount; });
     fail(FILIGREE_ERROR_ARGUMENT, "maps: element {} is {}, the set holds {}",
          first + static_cast<size_t>(found - maps.begin()), *found, set.view.mapCount);
@@ -45,13 +53,14 @@ bool isIn(const filigree_set& set, uint32_t map, uint32_t index) {
 
 void checkIndices(const filigree_set& set, std::span<const uint32_t> maps, std::span<const uint32_t> indices,
                   size_t first) {
-    uint64_t outside = 0;
-    for (size_t k = 0; k < maps.size(); ++k) outside |= isIn(set, maps[k], indices[k]) ? 0 : 1;
-    if (outside == 0) return;
-    size_t k = 0;
-    while (isIn(set, maps[k], indices[k])) ++k;
-    fail(FILIGREE_ERROR_ARGUMENT, "indices: element {} is {}, map {} has level {}", first + k, indices[k],
-         maps[k], set.levels[maps[k]]);
+    if (set.level && areBelow(indices, static_cast<uint32_t>(micromap::microTriangleCount(*set.level))))
+        return;
+    for (size_t k = 0; k < maps.size(); ++k) {
+        if (isIn(set, maps[k], indices[k])) [[likely]]
+            continue;
+        fail(FILIGREE_ERROR_ARGUMENT, "indices: element {} is {}, map {} has level {}", first + k, indices[k],
+             maps[k], set.levels[maps[k]]);
+    }
 }
 
 void lookUp(const filigree_set& set, std::span<const uint32_t> maps, std::span<const float> u,

@@ -11,7 +11,6 @@
 #include "capi/sized.h"
 #include "capi/squares.h"
 
-#include <algorithm>
 #include <string>
 
 struct filigree_blob {
@@ -52,12 +51,6 @@ io::FilMeta metaOf(const ContainerSettings& settings, const Array<filigree_primi
     return meta;
 }
 
-std::optional<unsigned> commonLevel(std::span<const uint8_t> levels) {
-    if (levels.empty()) return std::nullopt;
-    const auto same = [&](uint8_t level) { return level == levels.front(); };
-    return std::ranges::all_of(levels, same) ? std::optional<unsigned>(levels.front()) : std::nullopt;
-}
-
 filigree_blob* blobOf(const filigree_context* context, std::span<const uint8_t> bytes) {
     const Memory memory = memoryOf(context);
     auto blob = makeHandle<filigree_blob>(memory);
@@ -94,7 +87,7 @@ filigree_error filigree_set_serialise(const filigree_context* context, const fil
         const ContainerSettings chosen = settingsOf(settings);
         filigree::io::FilContents contents;
         contents.meta = metaOf(chosen, from.primitives);
-        contents.meta.level = commonLevel(from.levels.values());
+        contents.meta.level = from.level;
         contents.set = from.view;
         contents.indices = from.indices.values();
         return blobOf(context, orFail(filigree::io::encodeFil(contents, chosen.zstd)));

@@ -7,10 +7,18 @@
 #include "capi/micromaps.h"
 #include "capi/sized.h"
 
+#include <algorithm>
+
 namespace filigree::capi {
 namespace {
 
 constexpr filigree_set_blocks blockDefaults = FILIGREE_SET_BLOCKS_INIT;
+
+std::optional<unsigned> commonLevel(std::span<const uint8_t> levels) {
+    if (levels.empty()) return std::nullopt;
+    const auto same = [&](uint8_t level) { return level == levels.front(); };
+    return std::ranges::all_of(levels, same) ? std::optional<unsigned>(levels.front()) : std::nullopt;
+}
 
 void open(filigree_set& set, const encoding::EncodedView& view) {
     set.view = view;
@@ -22,6 +30,7 @@ void open(filigree_set& set, const encoding::EncodedView& view) {
     set.levels = Array<uint8_t>(set.memory, view.mapCount);
     for (uint32_t map = 0; map < view.mapCount; ++map)
         set.levels[map] = static_cast<uint8_t>(set.maps->level(map));
+    set.level = commonLevel(set.levels.values());
 }
 
 encoding::EncodedView viewOf(const filigree_set_blocks* given) {

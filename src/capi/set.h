@@ -20,6 +20,7 @@ struct filigree_set {
     std::unique_ptr<filigree::encoding::MapReader> maps;        // but for a bitmask
     std::optional<filigree::encoding::BitmaskReader> textures;  // of a bitmask
     filigree::capi::Array<uint8_t> levels;                      // [map_count], but for a bitmask
+    std::optional<unsigned> level;                              // of all maps; none where they differ
     filigree::capi::Array<int32_t> indices;                     // [triangle_count]
     filigree::capi::Array<filigree_primitive> primitives;       // that these belong to
 };
