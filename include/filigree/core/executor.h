@@ -27,8 +27,8 @@ class FILIGREE_API Executor {
 // Runs everything on the calling thread. The reference stays valid for the whole program.
 FILIGREE_API const Executor& serialExecutor();
 
-// A pool of `threads` threads (0: one for each processor) on oneTBB; without oneTBB (FILIGREE_TBB=OFF) each loop
-// starts its threads, and loops inside a loop stay on one.
+// A pool of `threads` threads (0: one for each processor) on oneTBB; without oneTBB (FILIGREE_TBB=OFF) each
+// loop starts its threads, and loops inside a loop stay on one.
 FILIGREE_API std::unique_ptr<Executor> makeThreadedExecutor(unsigned threads);
 
 }  // namespace filigree
