@@ -67,8 +67,8 @@ typedef enum filigree_error {
     FILIGREE_ERROR_INTERNAL = 9      // a mistake in the library: please report it
 } filigree_error;
 
-// "FILIGREE_ERROR_ARGUMENT"; "unknown error" for other numbers. Valid for ever.
-FILIGREE_API const char* filigree_error_name(filigree_error error);
+// Of a filigree_error: "FILIGREE_ERROR_ARGUMENT"; "unknown error" for other numbers. Valid for ever.
+FILIGREE_API const char* filigree_error_name(uint32_t error);
 
 // Written by every call that gets one, on success too.
 typedef struct filigree_error_info {
@@ -329,14 +329,14 @@ typedef enum filigree_usage_of {
     FILIGREE_USAGE_OF_TRIANGLES = 1  // to build the geometry that uses it: triangles that name a record
 } filigree_usage_of;
 
-// The flat lists. LIMIT where the data pass 4 GiB - 1, the reach of the records.
+// The flat lists; `of` is a filigree_usage_of. LIMIT where the data pass 4 GiB - 1, the reach of the records.
 FILIGREE_API filigree_error filigree_micromaps_get_data(const filigree_micromaps* maps, void* to,
                                                         size_t capacity, size_t* count,
                                                         filigree_error_info* error);
 FILIGREE_API filigree_error filigree_micromaps_get_records(const filigree_micromaps* maps,
                                                            filigree_record* to, size_t capacity,
                                                            size_t* count, filigree_error_info* error);
-FILIGREE_API filigree_error filigree_micromaps_get_usage(const filigree_micromaps* maps, filigree_usage_of of,
+FILIGREE_API filigree_error filigree_micromaps_get_usage(const filigree_micromaps* maps, uint32_t of,
                                                          filigree_usage* to, size_t capacity, size_t* count,
                                                          filigree_error_info* error);
 
@@ -509,14 +509,17 @@ typedef enum filigree_region {
 // Opacity squares of pairs of triangles.
 typedef struct filigree_squares filigree_squares;
 
-// Pairs the triangles over shared edges and encodes a square for each pair, equal ones once; the same
+// Pairs the triangles over shared edges and encodes a square for each pair, equal ones once, in a
+// filigree_square_format; the same
 // whatever the context. Vertices are one where their positions are equal, or their texture coordinates where
 // `triangles` has no positions. Where C++'s own memory runs out in the midst of the pairing, LEMON, which
 // does it, may lose a few bytes.
-FILIGREE_API filigree_error filigree_squares_encode(
-    const filigree_context* context, const filigree_triangles* triangles, const filigree_image* image,
-    const filigree_alpha_test* test, filigree_square_format format, const filigree_progress* progress,
-    filigree_squares** out, filigree_error_info* error);
+FILIGREE_API filigree_error filigree_squares_encode(const filigree_context* context,
+                                                    const filigree_triangles* triangles,
+                                                    const filigree_image* image,
+                                                    const filigree_alpha_test* test, uint32_t format,
+                                                    const filigree_progress* progress, filigree_squares** out,
+                                                    filigree_error_info* error);
 FILIGREE_API void filigree_squares_destroy(filigree_squares* squares);
 
 // What squares hold.

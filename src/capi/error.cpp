@@ -74,7 +74,7 @@ uint32_t filigree_version(void) {
     return 10000 * FILIGREE_VERSION_MAJOR + 100 * FILIGREE_VERSION_MINOR + FILIGREE_VERSION_PATCH;
 }
 
-const char* filigree_error_name(filigree_error error) {
+const char* filigree_error_name(uint32_t error) {
     switch (error) {
         case FILIGREE_OK:
             return "FILIGREE_OK";

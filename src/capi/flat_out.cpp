@@ -116,11 +116,10 @@ filigree_error filigree_micromaps_get_records(const filigree_micromaps* maps, fi
     });
 }
 
-filigree_error filigree_micromaps_get_usage(const filigree_micromaps* maps, filigree_usage_of of,
-                                            filigree_usage* to, size_t capacity, size_t* count,
-                                            filigree_error_info* error) {
+filigree_error filigree_micromaps_get_usage(const filigree_micromaps* maps, uint32_t of, filigree_usage* to,
+                                            size_t capacity, size_t* count, filigree_error_info* error) {
     return call(error, [&] {
-        const auto which = enumerator(static_cast<uint32_t>(of), FILIGREE_USAGE_OF_TRIANGLES, "of");
+        const auto which = enumerator(of, FILIGREE_USAGE_OF_TRIANGLES, "of");
         const Usage usage = usageOf(required(maps, "maps"), which == FILIGREE_USAGE_OF_TRIANGLES);
         fillFrom(usage.values(), to, capacity, count);
     });

@@ -93,14 +93,14 @@ using namespace filigree::capi;
 
 filigree_error filigree_squares_encode(const filigree_context* context, const filigree_triangles* triangles,
                                        const filigree_image* image, const filigree_alpha_test* test,
-                                       filigree_square_format format, const filigree_progress* progress,
+                                       uint32_t format, const filigree_progress* progress,
                                        filigree_squares** out, filigree_error_info* error) {
     return make(out, error, [&] {
         CallerProgress told(progress);
         const Triangles given(triangles);
         const auto texture = textureOf(image);
         const auto alphaTest = testOf(test);
-        const auto wanted = enumerator(static_cast<uint32_t>(format), SquareFormat::vq4Plus, "format");
+        const auto wanted = enumerator(format, SquareFormat::vq4Plus, "format");
         const auto set = orFail(filigree::quadmap::encodeSquares(
             given.all(), pairsOf(given), texture, alphaTest, wanted, executorOf(context), told.sink()));
         const Memory memory = memoryOf(context);

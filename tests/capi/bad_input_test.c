@@ -115,7 +115,7 @@ static void checkLists(void) {
     BAD(filigree_micromaps_get_data(maps, both.bytes, sizeof both, &both.count, &error));
     BAD(filigree_micromaps_get_records(NULL, NULL, 0, &count, &error));
     BAD(filigree_micromaps_get_records(maps, (filigree_record*)(void*)both.bytes, SIZE_MAX, &count, &error));
-    BAD(filigree_micromaps_get_usage(maps, (filigree_usage_of)2, NULL, 0, &count, &error));
+    BAD(filigree_micromaps_get_usage(maps, 2, NULL, 0, &count, &error));
     BAD(filigree_micromaps_get_usage(NULL, FILIGREE_USAGE_OF_RECORDS, NULL, 0, &count, &error));
     BAD(filigree_micromaps_get_indices(maps, 3, NULL, 0, &count, &error));
     BAD(filigree_micromaps_get_indices(NULL, 4, NULL, 0, &count, &error));
@@ -124,6 +124,7 @@ static void checkLists(void) {
     CHECK(count == leafTriangles);
     BAD(filigree_micromaps_get_levels(NULL, NULL, 0, &count, &error));
     BAD(filigree_micromaps_get_rotations(NULL, NULL, 0, &count, &error));
+    filigree_micromaps_destroy(maps);
     BAD(filigree_micromaps_from_flat(NULL, NULL, &maps, &error));
     CHECK(maps == NULL);
 }
@@ -171,6 +172,7 @@ static void checkSets(void) {
     BAD(filigree_set_get_indices(NULL, NULL, 0, &count, &error));
     BAD(filigree_set_get_levels(NULL, NULL, 0, &count, &error));
     BAD(filigree_set_get_map(NULL, 0, NULL, 0, &count, &error));
+    filigree_micromaps_destroy(maps);
     BAD(filigree_decode(NULL, NULL, &maps, &error));
     BAD(filigree_set_lookup(NULL, 0, NULL, NULL, NULL, NULL, &error));
     CHECK_CODE(FILIGREE_OK, &error, filigree_set_lookup(set, 0, NULL, NULL, NULL, NULL, &error));
@@ -195,8 +197,7 @@ static void checkSquaresAndGrids(void) {
     filigree_tracer* tracer = NULL;
     filigree_blob* blob = NULL;
     size_t count = 0;
-    BAD(filigree_squares_encode(NULL, &triangles, &image, NULL, (filigree_square_format)4, NULL, &squares,
-                                &error));
+    BAD(filigree_squares_encode(NULL, &triangles, &image, NULL, 4, NULL, &squares, &error));
     BAD(filigree_squares_encode(NULL, NULL, &image, NULL, FILIGREE_SQUARE_VQ2, NULL, &squares, &error));
     BAD(filigree_squares_get_info(NULL, NULL, &error));
     BAD(filigree_squares_get_blocks(NULL, NULL, 0, &count, &error));

@@ -194,7 +194,7 @@ static void checkDefaults(void) {
     CHECK_INIT(filigree_container_settings, FILIGREE_CONTAINER_SETTINGS_INIT);
     CHECK(filigree_version() == 100);
     CHECK(strcmp(filigree_error_name(FILIGREE_ERROR_CAPACITY), "FILIGREE_ERROR_CAPACITY") == 0);
-    CHECK(strcmp(filigree_error_name((filigree_error)77), "unknown error") == 0);
+    CHECK(strcmp(filigree_error_name(77), "unknown error") == 0);
 }
 
 int contextSuite(void) {
