@@ -18,6 +18,7 @@ void addDemo(CLI::App& app, Commands& commands) {
                     "A folder for index.html, the pictures and the scenes")
         ->required()
         ->type_name("DIR");
+    verb.add_option("--spp", options->samples, "Samples a pixel of the views (default: 8)")->type_name("N");
     addBakeOptions(verb, options->parameters);
     command.onRun([command, options] {
         auto progress = command.progress();

@@ -98,8 +98,9 @@ report::Page pageOf(const DemoSummary& summary, std::vector<report::Section> sec
 }
 
 // Views first, then what inspect shows.
-Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::filesystem::path& folder,
+Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const DemoOptions& options,
                                                const Executor& executor, ProgressSink& progress) {
+    const auto& folder = options.outputFolder;
     const auto scene = readBaked(summary);
     if (!scene) return scene.error();
     auto inspection = inspectScene(
@@ -108,7 +109,8 @@ Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::
     if (!inspection) return inspection.error();
     summary.inspection = std::move(inspection->summary);
     summary.inspection.page = summary.page;
-    auto views = drawDemoViews(summary.baked, scene->cameras.size(), folder, executor, progress);
+    auto views =
+        drawDemoViews(summary.baked, scene->cameras.size(), options.samples, folder, executor, progress);
     if (!views) return views.error();
     summary.views = std::move(views->renders);
     summary.inspection.pictures.insert(summary.inspection.pictures.end(), views->files.begin(),
@@ -119,9 +121,9 @@ Result<std::vector<report::Section>> drawBaked(DemoSummary& summary, const std::
 }
 
 // Compresses the terrain and traces it.
-Result<report::Section> addTerrain(DemoSummary& summary, const std::filesystem::path& folder,
-                                   const Executor& executor, ProgressSink& progress) {
-    auto terrain = drawDemoTerrain(folder, executor, progress);
+Result<report::Section> addTerrain(DemoSummary& summary, const DemoOptions& options, const Executor& executor,
+                                   ProgressSink& progress) {
+    auto terrain = drawDemoTerrain(options.outputFolder, options.samples, executor, progress);
     if (!terrain) return terrain.error();
     summary.heights = std::move(terrain->heights);
     summary.terrain = std::move(terrain->grids);
@@ -164,9 +166,9 @@ Result<DemoSummary> demo(const DemoOptions& options, const Executor& executor, P
     summary.validation = std::move(*validation);
     if (const auto valid = requireValid(summary); !valid) return valid.error();
 
-    auto sections = drawBaked(summary, folder, executor, progress);
+    auto sections = drawBaked(summary, options, executor, progress);
     if (!sections) return sections.error();
-    auto terrain = addTerrain(summary, folder, executor, progress);
+    auto terrain = addTerrain(summary, options, executor, progress);
     if (!terrain) return terrain.error();
     sections->insert(sections->begin() + 1, std::move(*terrain));
     auto sizes = measureDemo(summary.scene, folder, executor, progress);

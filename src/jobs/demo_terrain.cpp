@@ -58,8 +58,8 @@ report::Table terrainTable(const DemoTerrain& terrain, const std::string& comman
 
 }  // namespace
 
-Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const Executor& executor,
-                                    ProgressSink& progress) {
+Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, unsigned samples,
+                                    const Executor& executor, ProgressSink& progress) {
     DemoTerrain terrain;
     terrain.heights = folder / heightsFile;
     terrain.grids = folder / gridsFile;
@@ -78,6 +78,7 @@ Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const E
     view.input = terrain.grids;
     view.output = folder / viewFile;
     view.integrator = "path";
+    view.spp = 2 * samples;  // paths are noisier than shadows
     view.page = folder / viewPageFile;
     auto rendered = render(view, executor, progress);
     if (!rendered) return rendered.error();

@@ -23,7 +23,7 @@ struct DemoTerrain {
     report::Section section;
 };
 
-Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, const Executor& executor,
-                                    ProgressSink& progress);
+Result<DemoTerrain> drawDemoTerrain(const std::filesystem::path& folder, unsigned samples,
+                                    const Executor& executor, ProgressSink& progress);
 
 }  // namespace filigree::jobs

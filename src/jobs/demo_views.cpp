@@ -17,14 +17,14 @@ namespace {
 constexpr const char* triptychFile = "alpha-tests.png";
 constexpr const char* renderPageFile = "view.html";
 
-RenderOptions optionsFor(const std::filesystem::path& baked, unsigned camera,
+RenderOptions optionsFor(const std::filesystem::path& baked, unsigned camera, unsigned samples,
                          const std::filesystem::path& folder) {
     RenderOptions options;
     options.input = baked;
     options.output = folder / fmt::format("view-{:02}.png", camera + 1);
     options.method = "sdag";
     options.integrator = "shadow";
-    options.spp = 8;
+    options.spp = samples;
     options.camera = camera;
     if (camera > 0) return options;
     options.triptych = folder / triptychFile;
@@ -60,13 +60,13 @@ Result<report::Figure> figureOf(const std::filesystem::path& file, const std::st
     return report::Figure{std::move(picture), caption, command};
 }
 
-Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras,
+Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras, unsigned samples,
                                 const std::filesystem::path& folder, const Executor& executor,
                                 ProgressSink& progress) {
     DemoViews views;
     views.section.title = "The scene";
     for (unsigned camera = 0; camera < cameras; ++camera) {
-        const RenderOptions options = optionsFor(baked, camera, folder);
+        const RenderOptions options = optionsFor(baked, camera, samples, folder);
         auto rendered = render(options, executor, progress);
         if (!rendered) return rendered.error();
         const std::string alt = fmt::format("The demo scene from camera {}", camera);

@@ -23,8 +23,9 @@ struct DemoViews {
 Result<report::Figure> figureOf(const std::filesystem::path& file, const std::string& alt,
                                 const std::string& caption, const std::string& command);
 
-// Renders a baked scene from each of its cameras into `folder`, the first with its alpha tests beside it.
-Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras,
+// Renders a baked scene from each of its cameras into `folder`, with `samples` a pixel; the first with its
+// alpha tests beside it.
+Result<DemoViews> drawDemoViews(const std::filesystem::path& baked, size_t cameras, unsigned samples,
                                 const std::filesystem::path& folder, const Executor& executor,
                                 ProgressSink& progress);
 

@@ -10,11 +10,11 @@
 #include "jobs/camera_choice.h"
 #include "jobs/device_picture.h"
 #include "jobs/heat_map.h"
-#include "jobs/json_text.h"
 #include "jobs/opacity_input.h"
 #include "jobs/peak_memory.h"
 #include "jobs/psnr.h"
 #include "jobs/render_beside.h"
+#include "jobs/render_check.h"
 #include "jobs/render_page.h"
 #include "jobs/sha256.h"
 #include "jobs/stopwatch.h"
@@ -31,78 +31,15 @@ namespace {
 
 using trace::Method;
 
-// The method that no CPU has: flat micromaps that the device itself looks into.
-constexpr std::string_view hardwareMethod = "hardware";
-
-Status checkFiles(const RenderOptions& options) {
-    for (const auto& file : {options.output, options.heatmap, options.triptych}) {
-        if (file.empty() || file.extension() == ".png") continue;
-        return Error{
-            ErrorKind::usage,
-            fmt::format("{}: pictures are written as PNG; give a name that ends in .png", file.string())};
-    }
-    return {};
-}
-
-Status checkNumbers(const RenderOptions& options, Method method) {
-    if (options.states != 2 && options.states != 4)
-        return Error{ErrorKind::usage, fmt::format("--states {}: give 2 or 4", options.states)};
-    if (options.level > micromap::maxLevel)
-        return Error{ErrorKind::usage,
-                     fmt::format("--level {}: the highest is {}", *options.level, micromap::maxLevel)};
-    if (options.spp < 1) return Error{ErrorKind::usage, "--spp 0: give at least one sample a pixel"};
-    if (!(options.previewSeconds >= 0)) return Error{ErrorKind::usage, "--preview: give seconds, 0 for none"};
-    if (!options.triptych.empty() && !hasStates(method)) {
-        return Error{ErrorKind::usage,
-                     fmt::format("--triptych compares a method that has maps with texture; {} has none",
-                                 nameOf(method))};
-    }
-    return {};
-}
-
-Status checkBeside(const RenderOptions& options) {
-    if (options.beside.empty()) return {};
-    if (options.page.empty()) return Error{ErrorKind::usage, "--beside: goes with --html"};
-    if (options.backend != "cpu")
-        return Error{ErrorKind::unsupported, "--beside: renders on the CPU; leave --backend out"};
-    for (const std::string& name : options.beside) {
-        if (const auto method = findMethod(name, "--beside"); !method) return method.error();
-    }
-    return {};
-}
-
-Status checkBackend(const RenderOptions& options) {
-    if (options.backend != "cpu" && options.backend != "vulkan")
-        return Error{ErrorKind::usage, fmt::format("--backend {}: choose cpu or vulkan", options.backend)};
-    if (!options.build.empty() && options.method != hardwareMethod)
-        return Error{ErrorKind::usage, "--build: goes with --method hardware"};
-    if (!options.build.empty() && !vulkan::structureBuildNamed(options.build))
-        return Error{ErrorKind::usage,
-                     fmt::format("--build {}: choose fast-trace or fast-build", options.build)};
-    if (options.backend == "cpu") {
-        const std::string_view needs = options.method == hardwareMethod ? "--method hardware"
-                                       : !options.device.empty()        ? "--device"
-                                       : !options.path.empty()          ? "--path"
-                                                                        : "";
-        if (needs.empty()) return {};
-        return Error{ErrorKind::usage, fmt::format("{}: goes with --backend vulkan", needs)};
-    }
-    if (options.defer)
-        return Error{ErrorKind::unsupported,
-                     "--defer: the backend vulkan defers no alpha tests; leave it out"};
-    if (options.heatmap.empty() || options.heatmapOf == HeatmapOf::tests) return {};
-    return Error{ErrorKind::unsupported, "--heatmap-of bits: the backend vulkan does not count bits"};
-}
-
 // One run of the verb.
 class Rendering {
   public:
-    Rendering(const RenderOptions& options, Method method, trace::Integrator integrator,
-              const Executor& executor, ProgressSink& progress)
-        : options_(options), method_(method), executor_(executor), progress_(progress) {
+    Rendering(const RenderOptions& options, const RenderAsked& asked, const Executor& executor,
+              ProgressSink& progress)
+        : options_(options), method_(asked.method), executor_(executor), progress_(progress) {
         settings_.width = options.width;
         settings_.height = options.height;
-        settings_.integrator = integrator;
+        settings_.integrator = asked.integrator;
         settings_.seed = options.seed;
         settings_.bounces = options.bounces;
         settings_.defer = options.defer;
@@ -430,88 +367,12 @@ class Rendering {
     RenderSummary summary_;
 };
 
-Json countsJson(const trace::RayCounts& counts) {
-    return {{"rays", counts.rays},
-            {"candidate_hits", counts.candidateHits},
-            {"lookups", counts.lookups},
-            {"unknown", counts.unknown},
-            {"texture_fetches", counts.textureFetches},
-            {"bits_read", counts.bitsRead}};
-}
-
-Json levelJson(const RenderSummary& s) {
-    if (!s.hasLevels) return nullptr;
-    return s.level ? Json(*s.level) : Json("auto");
-}
-
 }  // namespace
 
-double RenderSummary::mraysPerSecond() const {
-    return seconds > 0 ? static_cast<double>(counters.total().rays) / seconds * 1e-6 : 0;
-}
-
 Result<RenderSummary> render(const RenderOptions& options, const Executor& executor, ProgressSink& progress) {
-    if (auto checked = checkFiles(options); !checked) return checked.error();
-    const auto method = options.method == hardwareMethod ? Result<Method>(Method::micromap)
-                                                         : findMethod(options.method, "--method");
-    if (!method) return method.error();
-    const auto integrator = trace::integratorNamed(options.integrator);
-    if (!integrator) {
-        return Error{ErrorKind::usage, fmt::format("--integrator {}: choose one of primary, shadow, ao, path",
-                                                   options.integrator)};
-    }
-    if (auto checked = checkNumbers(options, *method); !checked) return checked.error();
-    if (auto checked = checkBackend(options); !checked) return checked.error();
-    if (auto checked = checkBeside(options); !checked) return checked.error();
-    if (auto checked = trace::checkSize(options.width, options.height); !checked) return checked.error();
-    return Rendering(options, *method, *integrator, executor, progress).run();
-}
-
-std::string toJson(const RenderSummary& s) {
-    Json json{{"method", s.method},    {"states", s.states ? Json(*s.states) : Json(nullptr)},
-              {"level", levelJson(s)}, {"integrator", s.integrator},
-              {"width", s.width},      {"height", s.height},
-              {"spp", s.spp},          {"seconds", s.seconds}};
-    Json counts = countsJson(s.counters.total());
-    json["rays"] = counts["rays"];
-    json["mrays_per_second"] = s.mraysPerSecond();
-    counts.erase("rays");
-    json.update(counts);
-    json["bytes"] = {{"opacity", s.opacityBytes},
-                     {"textures", s.textureBytes},
-                     {"geometry", s.geometryBytes},
-                     {"bvh", s.bvhBytes}};
-    if (s.grids) {
-        json["grids"] = {{"codec", s.grids->codec},
-                         {"triangles", s.grids->triangles},
-                         {"bytes", s.grids->bytes},
-                         {"bytes_per_triangle",
-                          static_cast<double>(s.grids->bytes) / static_cast<double>(s.grids->triangles)}};
-    }
-    json["image_sha256"] = s.imageSha256;
-    json["backend"] = s.backend;
-    if (!s.device.empty()) {
-        json["device"] = s.device;
-        json["driver"] = s.driver;
-        json["path"] = s.path;
-        json["build"] = s.build.empty() ? Json(nullptr) : Json(s.build);
-        json["device_seconds"] = s.deviceSeconds;
-    }
-    json["ray_kinds"] = Json::object();
-    for (size_t k = 0; k < trace::rayKindCount; ++k) {
-        const auto kind = static_cast<trace::RayKind>(k);
-        if (s.counters[kind].rays > 0)
-            json["ray_kinds"][std::string(nameOf(kind))] = countsJson(s.counters[kind]);
-    }
-    if (s.triptych) {
-        json["triptych"] = {{"texture_fetches_without", s.triptych->textureFetches},
-                            {"identical", s.triptych->identical},
-                            {"psnr", s.triptych->identical ? Json(nullptr) : Json(s.triptych->psnr)}};
-    }
-    json["first_sample_seconds"] = s.firstSampleSeconds;
-    json["total_seconds"] = s.totalSeconds;
-    json["peak_bytes"] = s.peakBytes;
-    return dump(json);
+    const auto asked = checked(options);
+    if (!asked) return asked.error();
+    return Rendering(options, *asked, executor, progress).run();
 }
 
 }  // namespace filigree::jobs

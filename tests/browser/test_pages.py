@@ -115,7 +115,7 @@ class DemoPage(PageTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        program("demo", "-o", cls.folder, "--max-level", "6")
+        program("demo", "-o", cls.folder, "--max-level", "6", "--spp", "1")
         cls.baked = Baked((cls.folder / "scene_omm.glb").read_bytes())
 
     def setUp(self):

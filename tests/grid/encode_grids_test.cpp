@@ -245,7 +245,7 @@ TEST(EncodeGrids, EveryStageStopsWhenCancelled) {
 }
 
 TEST(EncodeGrids, TablesThatDoNotAgreeAreErrors) {
-    const GridMesh good = tests::mixedBox(4);
+    const GridMesh good = tests::mixedBox(8);
     const EncodeOptions options = tests::optionsFor(good, Codec::lattice);
     const auto expectError = [&](std::string_view part, auto&& change) {
         GridMesh mesh = good;
@@ -258,13 +258,13 @@ TEST(EncodeGrids, TablesThatDoNotAgreeAreErrors) {
     expectError("vertices of grids, their tables say", [](GridMesh& mesh) { mesh.vertices.pop_back(); });
     expectError("grid 1: begins at vertex 7", [](GridMesh& mesh) { mesh.grids[1].firstVertex = 7; });
     expectError("expected sides of 2 to 65536", [](GridMesh& mesh) { mesh.grids[2].rows = 1; });
-    expectError("loose triangle 3: vertex 99", [](GridMesh& mesh) { mesh.looseTriangles[3][1] = 99; });
+    expectError("loose triangle 3: vertex 99999", [](GridMesh& mesh) { mesh.looseTriangles[3][1] = 99999; });
     expectError("3 texture coordinates", [](GridMesh& mesh) { mesh.uvs.resize(3); });
     expectError("loose vertex 3 is not finite", [](GridMesh& mesh) { mesh.looseVertices[3][1] = NAN; });
 }
 
 TEST(EncodeGrids, NumbersThatAreNoneAreErrors) {
-    GridMesh mesh = tests::mixedBox(4);
+    GridMesh mesh = tests::mixedBox(8);
     const EncodeOptions options = tests::optionsFor(mesh, Codec::lattice);
     mesh.vertices[3][1] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(encodeGrids(mesh, options));

@@ -78,6 +78,7 @@ TEST(Demo, leavesAProvedScenePageAndPictures) {
     DemoOptions options;
     options.outputFolder = folder / "out/demo";
     options.parameters.level = 4;
+    options.samples = 1;
     const auto threads = makeThreadedExecutor(0);
     const auto summary = demo(options, *threads, silentProgress());
     ASSERT_TRUE(summary.ok()) << summary.error().message;

@@ -189,7 +189,7 @@ TEST_F(VulkanGridLookup, DecodesEncodedMeshes) {
 }
 
 TEST_F(VulkanGridLookup, RefusesWhatHasNoShader) {
-    const auto found = lookup(*device_, encodedBox(5, grid::Codec::paper), {});
+    const auto found = lookup(*device_, encodedBox(9, grid::Codec::paper), {});
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.error().kind, ErrorKind::unsupported);
 }

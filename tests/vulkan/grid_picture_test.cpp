@@ -113,7 +113,7 @@ TEST_F(VulkanGridPictures, AmongMaskedTrianglesAreThoseOfTheCpu) {
 }
 
 TEST_F(VulkanGridPictures, SayWhatHasNoShader) {
-    setGrids(grid::tests::mixedBox(5), grid::Codec::paper);
+    setGrids(grid::tests::mixedBox(9), grid::Codec::paper);
     const trace::World made = world();
     const Status opened = open(made, paths_.front());
     ASSERT_FALSE(opened.ok());

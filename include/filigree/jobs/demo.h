@@ -19,6 +19,7 @@ namespace filigree::jobs {
 struct DemoOptions {
     std::filesystem::path outputFolder;  // made when missing
     BakeParameters parameters;
+    unsigned samples = 8;  // of each pixel of the views, at least 1
 };
 
 struct DemoSummary {
