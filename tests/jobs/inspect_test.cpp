@@ -6,7 +6,7 @@
 
 #include "io/temp_folder.h"
 #include "jobs/command_words.h"
-#include "jobs/demo_scene.h"
+#include "jobs/demo_bytes.h"
 #include "jobs/inspection.h"
 #include "jobs/small_scene.h"
 
@@ -135,9 +135,7 @@ TEST(Inspect, sameSceneSamePictures) {
 
 TEST(Inspect, filesWithoutMicromapsAreBakedInMemory) {
     const TempFolder folder;
-    const auto glb = makeDemoScene();
-    ASSERT_TRUE(glb.ok());
-    ASSERT_TRUE(writeFile(folder / "a scene.glb", *glb).ok());
+    ASSERT_TRUE(writeFile(folder / "a scene.glb", tests::demoBytes()).ok());
     InspectOptions options;
     options.input = folder / "a scene.glb";
     options.outputFolder = folder / "new/deep";
@@ -164,7 +162,7 @@ TEST(Inspect, badPathsAreOneLine) {
     EXPECT_EQ(summary.error().kind, ErrorKind::file);
     EXPECT_FALSE(std::filesystem::exists(options.outputFolder)) << "nothing is left of a failed run";
 
-    ASSERT_TRUE(writeFile(folder / "scene.glb", *makeDemoScene()).ok());
+    ASSERT_TRUE(writeFile(folder / "scene.glb", tests::demoBytes()).ok());
     ASSERT_TRUE(writeFile(folder / "taken", "a file").ok());
     options.input = folder / "scene.glb";
     options.outputFolder = folder / "taken";

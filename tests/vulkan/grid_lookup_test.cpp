@@ -195,7 +195,7 @@ TEST_F(VulkanGridLookup, RefusesWhatHasNoShader) {
 }
 
 TEST_F(VulkanGridLookup, ChecksTheGrids) {
-    EncodedGrids grids = encodedBox(5, grid::Codec::lattice);
+    EncodedGrids grids = encodedBox(9, grid::Codec::lattice);
     grids.records.resize(grids.records.size() - EncodedGrids::recordUnit);
     const auto found = lookup(*device_, grids, {});
     ASSERT_FALSE(found.ok());
