@@ -182,11 +182,6 @@ class DeviceBench {
             maps = std::move(*baked);
         }
         for (const unsigned states : hasStates(method) ? options_.states : std::vector<unsigned>{4}) {
-            if (readsSquares(method) && states == 2) {
-                note(
-                    fmt::format("{} with 2 states hits by chance, which no shader does yet", nameOf(method)));
-                continue;
-            }
             if (const Status added = add(method, states, {}, maps); !added) return added;
         }
         return {};

@@ -82,8 +82,10 @@ std::string toJson(const RenderSummary& s) {
               {"level", levelJson(s)}, {"integrator", s.integrator},
               {"width", s.width},      {"height", s.height},
               {"spp", s.spp},          {"seconds", s.seconds}};
-    json.update(countsJson(s.counters.total()));
+    const trace::RayCounts total = s.counters.total();
+    json["rays"] = total.rays;
     json["mrays_per_second"] = s.mraysPerSecond();
+    json.update(countsJson(total));
     json["bytes"] = {{"opacity", s.opacityBytes},
                      {"textures", s.textureBytes},
                      {"geometry", s.geometryBytes},

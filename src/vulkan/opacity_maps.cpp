@@ -74,9 +74,6 @@ Result<Blocks> describe(const Method& method, OpacityMaps& to) {
         return Blocks{method.set->descriptors, method.set->payload, method.set->mapCount};
     }
     if (!method.squares) return Blocks{};
-    if (method.states == 2)
-        return Error{ErrorKind::unsupported,
-                     "squares with two states hit by chance, which no shader does yet"};
     if (method.squares->mapCount() >= mostSquares)
         return Error{ErrorKind::limit, fmt::format("{} squares; shaders tell fewer than {} apart",
                                                    method.squares->mapCount(), mostSquares)};

@@ -87,9 +87,8 @@ struct Picture {
 class FILIGREE_API Painter {
   public:
     // `device` and `scene` must outlive the result; the device has the path. Sets are checked first:
-    // ErrorKind::format. ErrorKind::unsupported for squares with two states, which hit by chance on the CPU,
-    // and for hardware micromaps where the device has none of the level, ErrorKind::limit where something
-    // does not fit.
+    // ErrorKind::format. ErrorKind::unsupported for hardware micromaps where the device has none of the
+    // level, ErrorKind::limit where something does not fit.
     static Result<Painter> make(const Device& device, const RayScene& scene, const Method& method,
                                 RayPath path);
 
