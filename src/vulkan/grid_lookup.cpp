@@ -2,8 +2,7 @@
 
 #include "filigree/grid/check.h"
 
-#include "vulkan/commands.h"
-#include "vulkan/kernel.h"
+#include "vulkan/lookup_run.h"
 
 #include <algorithm>
 #include <array>
@@ -18,13 +17,7 @@ struct GridQuery {
     uint32_t column = 0;
     uint32_t row = 0;
 };
-struct GridRange {
-    uint32_t first = 0;
-    uint32_t count = 0;
-};
 using FoundVertex = std::array<uint32_t, 4>;
-
-constexpr uint32_t gridGroupSize = 64;
 
 Status checkForShaders(const grid::EncodedGrids& grids, const Executor& executor) {
     if (grids.codec != grid::Codec::lattice)
@@ -35,29 +28,16 @@ Status checkForShaders(const grid::EncodedGrids& grids, const Executor& executor
 Status findVertices(Device::Data& device, const grid::EncodedGrids& grids,
                     const std::vector<GridQuery>& asked, std::vector<FoundVertex>& found) {
     auto kernel =
-        Kernel::make(device, {ShaderKind::gridLookup, Decoder::none}, {3, sizeof(GridRange), false}, {});
+        Kernel::make(device, {ShaderKind::gridLookup, Decoder::none}, {3, sizeof(LookupRange), false}, {});
     if (!kernel) return kernel.error();
     const auto records = uploadedOf(device, grids.records, "the grids");
     if (!records) return records.error();
     const auto queries = uploadedOf(device, asked, "places in grids");
     if (!queries) return queries.error();
-    const auto results =
-        Buffer::make(device, found.size() * sizeof(FoundVertex), BufferPlace::onDevice, "vertices");
-    if (!results) return results.error();
     kernel->bindings().bind(0, *records);
     kernel->bindings().bind(1, *queries);
-    kernel->bindings().bind(2, *results);
-    const auto total = static_cast<uint32_t>(found.size());
-    const uint32_t step = gridGroupSize * std::min(device.limits.maxComputeWorkGroupCount[0], 65535u);
-    auto ran = submit(device, "look vertices up", [&](VkCommandBuffer commands) {
-        for (uint32_t first = 0; first < total; first += step) {
-            const GridRange range{first, std::min(step, total - first)};
-            kernel->record(commands, &range, (range.count + gridGroupSize - 1) / gridGroupSize);
-        }
-    });
-    if (!ran) return ran;
-    return download(device, *results,
-                    {reinterpret_cast<uint8_t*>(found.data()), found.size() * sizeof(FoundVertex)});
+    return answerQueries(device, *kernel, 2, found.size(), "look vertices up",
+                         {reinterpret_cast<uint8_t*>(found.data()), found.size() * sizeof(FoundVertex)});
 }
 
 GridVertex vertexOf(const FoundVertex& found) {

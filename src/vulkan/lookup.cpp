@@ -1,8 +1,7 @@
 #include "filigree/vulkan/lookup.h"
 
-#include "vulkan/commands.h"
 #include "vulkan/decoders.h"
-#include "vulkan/kernel.h"
+#include "vulkan/lookup_run.h"
 
 #include <algorithm>
 #include <array>
@@ -18,13 +17,6 @@ struct Query {
     float v = 0;
 };
 
-struct QueryRange {
-    uint32_t first = 0;
-    uint32_t count = 0;
-};
-
-constexpr uint32_t groupSize = 64;
-
 // All that one run of the shader needs.
 struct Lookups {
     Decoder decoder = Decoder::flat;
@@ -36,7 +28,7 @@ struct Lookups {
 
 Status runLookups(Device::Data& device, const Lookups& lookups, std::vector<uint32_t>& found) {
     const std::array constants{lookups.widthShift};
-    auto kernel = Kernel::make(device, {ShaderKind::lookup, lookups.decoder}, {4, sizeof(QueryRange), false},
+    auto kernel = Kernel::make(device, {ShaderKind::lookup, lookups.decoder}, {4, sizeof(LookupRange), false},
                                constants);
     if (!kernel) return kernel.error();
     const auto descriptors = uploaded(device, lookups.descriptors, "descriptors");
@@ -45,24 +37,11 @@ Status runLookups(Device::Data& device, const Lookups& lookups, std::vector<uint
     if (!payload) return payload.error();
     const auto queries = uploadedOf(device, lookups.queries, "lookups");
     if (!queries) return queries.error();
-    const auto results =
-        Buffer::make(device, found.size() * sizeof(uint32_t), BufferPlace::onDevice, "states");
-    if (!results) return results.error();
     kernel->bindings().bind(0, *descriptors);
     kernel->bindings().bind(1, *payload);
     kernel->bindings().bind(2, *queries);
-    kernel->bindings().bind(3, *results);
-    const auto total = static_cast<uint32_t>(found.size());
-    const uint32_t step = groupSize * std::min(device.limits.maxComputeWorkGroupCount[0], 65535u);
-    auto ran = submit(device, "look states up", [&](VkCommandBuffer commands) {
-        for (uint32_t first = 0; first < total; first += step) {
-            const QueryRange range{first, std::min(step, total - first)};
-            kernel->record(commands, &range, (range.count + groupSize - 1) / groupSize);
-        }
-    });
-    if (!ran) return ran;
-    return download(device, *results,
-                    {reinterpret_cast<uint8_t*>(found.data()), found.size() * sizeof(uint32_t)});
+    return answerQueries(device, *kernel, 3, found.size(), "look states up",
+                         {reinterpret_cast<uint8_t*>(found.data()), found.size() * sizeof(uint32_t)});
 }
 
 template <class State>

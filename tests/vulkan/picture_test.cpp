@@ -78,6 +78,16 @@ class VulkanPictures : public tests::VulkanTest {
         return std::move(*made);
     }
 
+    // Shadows on the device, which must fetch nothing, and on the CPU.
+    std::pair<trace::Film, trace::Film> withTwoStates(Method method) {
+        const auto input = inputFor(method, 2);
+        auto painter = painterFor(input);
+        const trace::RenderSettings s = settings(Integrator::shadow);
+        trace::Film device = film(painter, s);
+        EXPECT_EQ(device.counters.total().textureFetches, 0u);
+        return {std::move(device), tests::filmOf(*world_, *input.opacity, s, samples)};
+    }
+
     scene::Scene scene_;
     std::optional<trace::World> world_;
     jobs::SceneMaps maps_;
@@ -215,12 +225,7 @@ TEST_F(VulkanPictures, AreThoseOfTheCpu) {
 TEST_F(VulkanPictures, OfTwoStatesFetchNothing) {
     for (const Method method : {Method::micromap, Method::sdag}) {
         SCOPED_TRACE(nameOf(method));
-        const auto input = inputFor(method, 2);
-        auto painter = painterFor(input);
-        const trace::RenderSettings s = settings(Integrator::shadow);
-        const trace::Film device = film(painter, s);
-        EXPECT_EQ(device.counters.total().textureFetches, 0u);
-        const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
+        const auto [device, cpu] = withTwoStates(method);
         EXPECT_LE(tests::differing(device, cpu), cpu.sums.size() / 1000);
     }
 }
@@ -230,12 +235,7 @@ TEST_F(VulkanPictures, OfTwoStatesFetchNothing) {
 TEST_F(VulkanPictures, OfSquaresWithTwoStatesHitAsOftenAsOnTheCpu) {
     for (const Method method : {Method::vq2, Method::vq4Plus}) {
         SCOPED_TRACE(nameOf(method));
-        const auto input = inputFor(method, 2);
-        auto painter = painterFor(input);
-        const trace::RenderSettings s = settings(Integrator::shadow);
-        const trace::Film device = film(painter, s);
-        EXPECT_EQ(device.counters.total().textureFetches, 0u);
-        const trace::Film cpu = tests::filmOf(*world_, *input.opacity, s, samples);
+        const auto [device, cpu] = withTwoStates(method);
         const auto hits = static_cast<double>(cpu.pixelsHit);
         EXPECT_NEAR(static_cast<double>(device.pixelsHit), hits, hits / 100);
         EXPECT_GT(tests::differing(device, cpu), 0u) << "this scene has mixed regions in sight";
